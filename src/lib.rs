@@ -1,0 +1,7 @@
+//! The exact reference for Kalman filtering.
+
+pub mod gaussian;
+pub mod matrix;
+pub mod model;
+pub mod scalar;
+pub mod trace;

@@ -1,0 +1,31 @@
+//! Floor 2 · State space systems driven by white Gaussian noise, and their realisation along data.
+//!
+//! A [`System`] is a description: every matrix and input of CKS (1) constant, one per step, or a function of
+//! the past observations. [`System::realised`] evaluates it along given observations, checks everything once
+//! (shapes, symmetry, definiteness, each with a witness) and returns a [`Path`]: what filters work on.
+//! Holds no filter.
+//!
+//! ```text
+//! CKS-1a: x(t+1) = A(t)x(t) + B(t)u(t) + D(t)w(t+1)
+//! CKS-1b: y(t) = C(t−1)x(t) + G(t−1)v(t−1) + F(t−1)w(t)
+//! ```
+//!
+//! **Index rule.** k counts observations, from 0; the observation matrix, its noise and its input with index k
+//! belong to y_k. What a transition with index k does is said by [`Timing`].
+//!
+//! Papers: Chen, Kumar, van Schuppen 1989, section 1; Hilgert, Vila 1999 for the other timing.
+
+mod coefficient;
+mod error;
+mod initial;
+mod observation;
+mod path;
+mod realise;
+mod system;
+
+pub use coefficient::{Coefficient, Past};
+pub use error::{Field, ModelError, Place};
+pub use initial::{Before, Initial};
+pub use observation::Observation;
+pub use path::{Path, Step, Transition};
+pub use system::{Input, Noise, System, Timing};
