@@ -1,5 +1,6 @@
 //! The exact reference for Kalman filtering.
 
+pub mod filter;
 pub mod gaussian;
 pub mod matrix;
 pub mod model;

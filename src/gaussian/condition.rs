@@ -18,7 +18,7 @@ pub enum ConditionError<S> {
 /// A combination of the innovation that has variance zero and is not zero: proof of inconsistency.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Inconsistent<S> {
-    /// The vector v = (I − SS⁺)ν: S v = 0, so vᵀν has variance zero.
+    /// A vector v with S v = 0, so that vᵀν has variance zero.
     pub direction: Matrix<S>,
     /// The value vᵀν, which must be zero and is not.
     pub value: S,
@@ -82,7 +82,7 @@ impl<S: Scalar> Gaussian<S> {
         let cross_covariance = self.covariance.select(&hidden, observed);
         let innovation = values - &y.mean;
         let pseudo_inverse = y.covariance.pseudo_inverse()?;
-        if let Some(proof) = inconsistency(&y.covariance, &pseudo_inverse, &innovation) {
+        if let Some(proof) = Inconsistent::found(&y.covariance, &pseudo_inverse, &innovation) {
             return Err(ConditionError::Inconsistent(proof));
         }
         let x = self.marginal(&hidden);
@@ -95,16 +95,20 @@ impl<S: Scalar> Gaussian<S> {
     }
 }
 
-/// v = (I − SS⁺)ν if it is certainly not zero.
-fn inconsistency<S: Scalar>(
-    s: &Matrix<S>,
-    pseudo_inverse: &Matrix<S>,
-    innovation: &Matrix<S>,
-) -> Option<Inconsistent<S>> {
-    let direction = innovation - s * (pseudo_inverse * innovation);
-    if direction.entries().iter().all(|entry| entry.zero_test() != ZeroTest::Nonzero) {
-        return None;
+impl<S: Scalar> Inconsistent<S> {
+    /// The proof that an innovation ν does not lie in the range of its covariance S, if that is certain.
+    ///
+    /// Shapes: `covariance` and `pseudo_inverse` m×m, `innovation` m×1.
+    ///
+    /// # Panics
+    ///
+    /// If the shapes do not fit.
+    pub fn found(covariance: &Matrix<S>, pseudo_inverse: &Matrix<S>, innovation: &Matrix<S>) -> Option<Self> {
+        let direction = innovation - covariance * (pseudo_inverse * innovation);
+        if direction.entries().iter().all(|entry| entry.zero_test() != ZeroTest::Nonzero) {
+            return None;
+        }
+        let value = (direction.transpose() * innovation)[(0, 0)].clone();
+        Some(Self { direction, value })
     }
-    let value = (direction.transpose() * innovation)[(0, 0)].clone();
-    Some(Inconsistent { direction, value })
 }

@@ -44,11 +44,13 @@ pub struct Record<T> {
     pub innovation_covariance: Matrix<T>,
     /// cov(x_k, y_k | y_0, …, y_{k−1})
     pub cross_covariance: Matrix<T>,
-    /// K = cov(x_k, y_k) S⁺; absent while a diffuse start is not resolved.
-    pub gain: Option<Matrix<T>>,
+    /// The part of S that grows with κ, while a diffuse start is not resolved.
+    pub innovation_diffuse: Option<Matrix<T>>,
+    /// K = cov(x_k, y_k) S⁺, or its limit as κ → ∞.
+    pub gain: Matrix<T>,
     /// x_k given y_0, …, y_k.
     pub filtered: Moments<T>,
-    /// The parts of the log likelihood of y_k; absent while a diffuse start is not resolved.
+    /// The parts of the log likelihood of y_k; absent if S has a diffuse part.
     pub likelihood: Option<Likelihood<T>>,
 }
 
@@ -77,7 +79,7 @@ impl<T: Clone> Record<T> {
         if self.predicted.diffuse.is_none() && !self.observed.is_empty() {
             values.insert(Quantity::Innovation, self.innovation.clone());
             values.insert(Quantity::InnovationCovariance, self.innovation_covariance.clone());
-            values.extend(self.gain.clone().map(|gain| (Quantity::Gain, gain)));
+            values.insert(Quantity::Gain, self.gain.clone());
         }
         values
     }

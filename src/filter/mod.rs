@@ -1,0 +1,23 @@
+//! Floor 3 · The Kalman filter of Chen, Kumar and van Schuppen, by independent routes.
+//!
+//! * [`filter`] is the recursion of the Theorem, CKS (3)–(4), as one reads it, over any scalar;
+//! * [`one_shot`] conditions the joint Gaussian of (x_0, w_1, …, w_T) once: slow, one formula, no recursion;
+//! * [`filter_fraction_free`] is a fast route for the rationals: integer matrices over one denominator.
+//!
+//! The three agree with `==` on the rationals. A diffuse start is resolved by exact series in 1/κ. Holds no
+//! floating point: the f64 filters live in a room of their own that does not know this one.
+//!
+//! Papers: Chen, Kumar, van Schuppen 1989, section 3; Hilgert, Vila 1999 for departing timing.
+
+mod diffuse;
+mod error;
+//mod fraction_free;
+mod one_shot;
+mod recursion;
+mod series;
+mod update;
+
+pub use error::FilterError;
+//pub use fraction_free::filter_fraction_free;
+pub use one_shot::{OneShot, one_shot};
+pub use recursion::filter;

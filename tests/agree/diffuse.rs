@@ -1,0 +1,1 @@
+//! The diffuse start against least squares, and against large finite variances.

@@ -1,0 +1,7 @@
+//! Every algorithm by two routes: recursion, one-shot conditioning, other scalars, exact finite laws.
+
+mod diffuse;
+mod moments;
+mod one_shot;
+mod residues;
+mod systems;
