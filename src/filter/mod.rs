@@ -11,13 +11,13 @@
 
 mod diffuse;
 mod error;
-//mod fraction_free;
+mod fraction_free;
 mod one_shot;
 mod recursion;
 mod series;
 mod update;
 
 pub use error::FilterError;
-//pub use fraction_free::filter_fraction_free;
+pub use fraction_free::{FractionFreeError, Precision, filter_fraction_free};
 pub use one_shot::{OneShot, one_shot};
 pub use recursion::filter;

@@ -85,9 +85,14 @@ impl<S: Scalar> Recursion<S> {
         Self { timing: path.timing(), state: Some(moments), predicted, records: Vec::new() }
     }
 
-    /// The law with which the next step begins; nothing after the last transition.
-    pub(super) fn state(&self) -> Option<&Moments<S>> {
-        self.state.as_ref()
+    /// The law with which the next step begins, if it has no diffuse part.
+    pub(super) fn plain_state(&self) -> Option<&Moments<S>> {
+        self.state.as_ref().filter(|moments| moments.diffuse.is_none())
+    }
+
+    /// Whether the law with which the next step begins is already that of the state which it observes.
+    pub(super) fn is_predicted(&self) -> bool {
+        self.predicted
     }
 
     pub(super) fn advance(&mut self, step: &Step<S>) -> Result<(), ConditionError<S>> {

@@ -15,6 +15,7 @@ mod arithmetic;
 mod blocks;
 mod definiteness;
 mod elimination;
+mod fractions;
 mod pseudo_inverse;
 mod solve;
 
@@ -23,6 +24,8 @@ use std::ops::{Index, IndexMut};
 
 pub use definiteness::{Indefinite, Ldl, LdlError};
 pub use elimination::{Echelon, Undecided};
+pub use fractions::Fractions;
+pub(crate) use fractions::least_common_multiple;
 pub use pseudo_inverse::{FullRank, PseudoInverseError};
 pub use solve::SolveError;
 

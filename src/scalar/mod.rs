@@ -8,14 +8,17 @@
 //! |---|---|---|---|---|
 //! | [`Rational`] | yes | yes | yes | always decides |
 //! | [`Residue`] | yes | yes | no: an order modulo p means nothing | always decides |
+//! | [`num_bigint::BigInt`] | yes | no: quotients must be exact | no | always decides |
 //!
 //! A trait is a document: generic code relies on nothing but what is written here, and every promise has
 //! a law in [`laws`].
 
+mod integer;
 pub mod laws;
 mod rational;
 mod residue;
 
+pub(crate) use integer::common_divisor;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};
 
@@ -41,6 +44,9 @@ pub enum Undefined {
     /// The divisor may be zero; the representation cannot tell.
     #[error("division by a value that may be zero")]
     Undecided,
+    /// The quotient lies outside the ring (7/2 among the integers).
+    #[error("the quotient is not an element of the ring")]
+    OutsideTheRing,
 }
 
 /// Values on which the filter's equations can be evaluated.
@@ -62,7 +68,7 @@ pub trait Scalar: Clone + std::fmt::Debug + 'static {
     ///
     /// # Errors
     ///
-    /// [`Undefined`] if the divisor is zero, or may be.
+    /// [`Undefined`] if the divisor is zero, or may be, or the quotient is no element of the ring.
     fn over(&self, divisor: &Self) -> Result<Self, Undefined>;
     /// Whether the value is zero, as far as the representation can tell.
     fn zero_test(&self) -> ZeroTest;

@@ -1,10 +1,10 @@
 //! The exact rationals, on [`num_rational::BigRational`].
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
+use super::integer::common_divisor;
 use super::{Field, OrderedField, Scalar, Undefined, ZeroTest};
 
 /// An exact fraction in lowest terms with a positive denominator: the type the ecosystem already has.
@@ -27,19 +27,6 @@ pub type Rational = BigRational;
 /// by the protocol room.
 pub fn ratio(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator.into(), denominator.into())
-}
-
-/// The greatest common divisor, without the quadratic cost that num-bigint's binary algorithm has when
-/// the sizes differ (`gcd(x, 1)` is the common case).
-fn common_divisor(left: &BigInt, right: &BigInt) -> BigInt {
-    let (small, large) = if left.bits() <= right.bits() { (left, right) } else { (right, left) };
-    if small.is_one() {
-        return BigInt::one();
-    }
-    if small.is_zero() {
-        return large.clone();
-    }
-    if large.bits() > small.bits() + 64 { small.gcd(&(large % small)) } else { small.gcd(large) }
 }
 
 /// `left ± right`; both are in lowest terms, so only a common factor of the denominators can cancel.

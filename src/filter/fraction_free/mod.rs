@@ -1,0 +1,138 @@
+//! The filter on integer matrices over one denominator, without a greatest common divisor of large numbers.
+//!
+//! A covariance is `P = N / (u d)` with integers N, u, d. Where the observed entries y and the targets x are
+//! `E x₋ + noise` with `E = Eᵢ/e` and noise covariance `Qᵢ/w`, e² | w, their joint covariance is `J / (w u d)`:
+//!
+//! > `J = (w/e²) Eᵢ N Eᵢᵀ + u d Qᵢ`
+//!
+//! Symmetric fraction-free elimination of the entries of y, *with d as its first divisor*, leaves N₊ in place of
+//! a target: `P₊ = N₊ / (w u d₊)`, d₊ the last pivot. All divisions are exact: the k-minors of N are divisible by
+//! d^(k−1), since N is itself what an elimination with last pivot d has left (Sylvester's identity), and both
+//! terms of J keep that. The mean is one more column. Powers of two, all that doubles have in their denominators,
+//! are moved from d to u and cancelled by shifts.
+//!
+//! A zero pivot of a positive semidefinite J has a zero row: it is passed over, and the innovation must vanish
+//! there, else the data have probability zero.
+
+mod elimination;
+mod rounding;
+mod state;
+
+use elimination::{Eliminated, Joint, Stop};
+pub use rounding::Precision;
+use state::State;
+
+use super::FilterError;
+use super::recursion::{Recursion, filter};
+use super::update::{Sensors, update};
+use crate::gaussian::ConditionError;
+use crate::matrix::{Matrix, PseudoInverseError, Undecided};
+use crate::model::{Path, Step, Timing};
+use crate::scalar::Rational;
+use crate::trace::{Quantity, Values};
+
+/// Why the fraction-free filter stopped, with the values of the steps before.
+pub type FractionFreeError = FilterError<Rational, Values<Rational>>;
+
+/// The values of [`filter`] except the gain, by a faster route.
+///
+/// With [`Precision::Exact`] they are equal to those of the recursion; with [`Precision::Rounded`] each entry is
+/// the exact one rounded to that many significant bits, which spares the greatest common divisors of lowest terms.
+///
+/// Steps with a diffuse part, and paths that run with an indefinite initial covariance, go through the recursion.
+///
+/// # Errors
+///
+/// As for [`filter`].
+pub fn filter_fraction_free(
+    path: &Path<Rational>,
+    precision: Precision,
+) -> Result<Vec<Values<Rational>>, FractionFreeError> {
+    if path.initial().allow_indefinite {
+        return by_recursion(path, precision);
+    }
+    let mut start = Recursion::new(path);
+    let mut values: Vec<Values<Rational>> = Vec::new();
+    let mut state: Option<State> = None;
+    let mut predicted_already = start.is_predicted();
+    for (k, step) in path.steps().iter().enumerate() {
+        let stopped = |source, computed| FilterError { step: k, source, computed };
+        if state.is_none() {
+            let Some(moments) = start.plain_state() else {
+                start.advance(step).map_err(|source| stopped(source, values.clone()))?;
+                values.extend(start.records.last().map(|record| rounded(record.values(), precision)));
+                predicted_already = start.is_predicted();
+                continue;
+            };
+            state = Some(State::of(moments));
+        }
+        // A path has a transition wherever a later observation depends on it.
+        let Some(current) = state.take() else { break };
+        let predicted = match (&step.transition, path.timing()) {
+            (Some(transition), Timing::Arriving) if !predicted_already => current.propagated(transition),
+            _ => current,
+        };
+        predicted_already = path.timing() == Timing::Departing;
+        match advanced(&predicted, step, path.timing(), precision) {
+            Ok((step_values, next)) => {
+                values.push(step_values);
+                state = next;
+            }
+            Err(Stop) => return Err(stopped(reason(&predicted, step, path.timing()), values)),
+        }
+    }
+    Ok(values)
+}
+
+/// One observation: the values of the step, and the state with which the next one begins.
+fn advanced(
+    predicted: &State,
+    step: &Step<Rational>,
+    timing: Timing,
+    precision: Precision,
+) -> Result<(Values<Rational>, Option<State>), Stop> {
+    let sensors = Sensors::of(step);
+    let joint = Joint::of(predicted, &sensors, step.transition.as_ref(), timing);
+    let mut values = Values::new();
+    predicted.put(&mut values, [Quantity::PredictedMean, Quantity::PredictedCovariance], precision);
+    if !sensors.observed.is_empty() {
+        let (innovation, covariance) = joint.innovation(precision);
+        values.insert(Quantity::Innovation, innovation);
+        values.insert(Quantity::InnovationCovariance, covariance);
+    }
+    let Eliminated { filtered, departed } = joint.eliminated()?;
+    filtered.put(&mut values, [Quantity::FilteredMean, Quantity::FilteredCovariance], precision);
+    let next = match timing {
+        Timing::Arriving => Some(filtered),
+        Timing::Departing => departed,
+    };
+    Ok((values, next))
+}
+
+/// The reason why the elimination stopped, with its witness, in the words of the recursion.
+fn reason(predicted: &State, step: &Step<Rational>, timing: Timing) -> ConditionError<Rational> {
+    match update(predicted.moments(), &Sensors::of(step), timing) {
+        Err(reason) => reason,
+        // Both decide exactly; were they ever to disagree, nothing is answered.
+        Ok(_) => ConditionError::PseudoInverse(PseudoInverseError::Undecided(Undecided { column: 0 })),
+    }
+}
+
+fn by_recursion(path: &Path<Rational>, precision: Precision) -> Result<Vec<Values<Rational>>, FractionFreeError> {
+    let finish = |records: Vec<crate::trace::Record<Rational>>| {
+        records.iter().map(|record| rounded(record.values(), precision)).collect()
+    };
+    match filter(path) {
+        Ok(trace) => Ok(finish(trace.records)),
+        Err(FilterError { step, source, computed }) => Err(FilterError { step, source, computed: finish(computed) }),
+    }
+}
+
+fn rounded(values: Values<Rational>, precision: Precision) -> Values<Rational> {
+    let round = |matrix: Matrix<Rational>| matrix.map(|entry| precision.fraction(entry.numer(), entry.denom()));
+    values
+        .into_iter()
+        .filter(|(quantity, _)| *quantity != Quantity::Gain)
+        .map(|(q, matrix)| (q, round(matrix)))
+        .collect()
+}

@@ -1,0 +1,3 @@
+//! Published numbers, and the claims of the papers, one module each.
+
+mod nile;
