@@ -1,7 +1,7 @@
 //! A diffuse start, P₀ = P* + κ P∞ as κ → ∞: one observation of a state whose covariance still grows with κ.
 
 use super::recursion::propagated;
-use super::series::Joint;
+use super::series::{Conditioned, Joint};
 use super::update::{Sensors, likelihood};
 use crate::gaussian::ConditionError;
 use crate::matrix::Matrix;
@@ -45,7 +45,7 @@ impl<S: Scalar> Observed<S> {
     /// The record of the step: the state conditioned on what is observed.
     pub(super) fn record(self, sensors: &Sensors<S>) -> Result<Record<S>, ConditionError<S>> {
         let joint = self.joint(&self.predicted, &self.cross, &self.cross_diffuse);
-        let (filtered, gain) = joint.conditioned(&self.predicted.mean, &self.innovation)?;
+        let Conditioned { law: filtered, gain, rank } = joint.conditioned(&self.predicted.mean, &self.innovation)?;
         let innovation_diffuse = part(Some(self.diffuse));
         let likelihood = if innovation_diffuse.is_none() {
             let pseudo_inverse = self.covariance.pseudo_inverse()?;
@@ -59,6 +59,7 @@ impl<S: Scalar> Observed<S> {
             predicted_observation: &sensors.values - &self.innovation,
             innovation: self.innovation,
             innovation_covariance: self.covariance,
+            innovation_rank: rank,
             cross_covariance: self.cross,
             innovation_diffuse,
             gain,
@@ -76,7 +77,7 @@ impl<S: Scalar> Observed<S> {
         let next = propagated(&self.predicted, transition);
         let cross = &transition.matrix * &self.cross + &sensors.cross_noise;
         let joint = self.joint(&next, &cross, &(&transition.matrix * &self.cross_diffuse));
-        Ok(joint.conditioned(&next.mean, &self.innovation)?.0)
+        Ok(joint.conditioned(&next.mean, &self.innovation)?.law)
     }
 
     /// The joint covariance of the observed entries and a target.

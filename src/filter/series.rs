@@ -25,6 +25,16 @@ pub(super) struct Joint<S> {
     pub(super) finite: Matrix<S>,
 }
 
+/// What conditioning yields.
+pub(super) struct Conditioned<S> {
+    /// The law of the target given y.
+    pub(super) law: Moments<S>,
+    /// The limit of the gain.
+    pub(super) gain: Matrix<S>,
+    /// The rank of the covariance of y.
+    pub(super) rank: usize,
+}
+
 /// The order in κ of a pivot.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Order {
@@ -38,7 +48,7 @@ impl<S: Scalar> Joint<S> {
         mut self,
         mean: &Matrix<S>,
         innovation: &Matrix<S>,
-    ) -> Result<(Moments<S>, Matrix<S>), ConditionError<S>> {
+    ) -> Result<Conditioned<S>, ConditionError<S>> {
         let (m, size) = (self.observed, self.finite.rows());
         // Row i says which combination of the entries of y has been added to component i.
         let mut combination = Matrix::identity(m).above(&Matrix::zeros(size - m, m));
@@ -56,7 +66,7 @@ impl<S: Scalar> Joint<S> {
             covariance: self.finite.block(m..size, m..size),
             diffuse: part(Some(self.diffuse.block(m..size, m..size))),
         };
-        Ok((law, gain))
+        Ok(Conditioned { law, gain, rank: m - rest.len() })
     }
 
     /// An entry whose variance grows with κ if there is one, else one whose variance is not zero.

@@ -96,6 +96,7 @@ pub(super) fn update<S: Scalar>(
         predicted_observation,
         innovation,
         innovation_covariance,
+        innovation_rank: likelihood.rank,
         cross_covariance,
         innovation_diffuse: None,
         gain,

@@ -46,7 +46,8 @@ pub struct Path<T> {
 }
 
 impl<T> Path<T> {
-    pub(super) fn new(timing: Timing, initial: Initial<T>, steps: Vec<Step<T>>) -> Self {
+    /// A path whose parts the caller answers for.
+    pub(crate) fn from_parts(timing: Timing, initial: Initial<T>, steps: Vec<Step<T>>) -> Self {
         Self { timing, initial, steps }
     }
 

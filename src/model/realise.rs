@@ -21,7 +21,7 @@ impl<S: OrderedField> System<S> {
         let realisation = Realisation::of(self, observations)?;
         realisation.check_initial()?;
         let steps = (0..observations.len()).map(|k| realisation.step(k)).collect::<Result<_, _>>()?;
-        Ok(Path::new(self.timing, self.initial.clone(), steps))
+        Ok(Path::from_parts(self.timing, self.initial.clone(), steps))
     }
 }
 

@@ -42,6 +42,8 @@ pub struct Record<T> {
     pub innovation: Matrix<T>,
     /// S
     pub innovation_covariance: Matrix<T>,
+    /// The rank of S, its part of order κ included.
+    pub innovation_rank: usize,
     /// cov(x_k, y_k | y_0, …, y_{k−1})
     pub cross_covariance: Matrix<T>,
     /// The part of S that grows with κ, while a diffuse start is not resolved.

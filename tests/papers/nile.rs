@@ -48,7 +48,7 @@ fn last(path: &Path<Rational>) -> [String; 2] {
     let trace = filter(path).unwrap_or_else(|error| panic!("{error}"));
     let fast = filter_fraction_free(path, Precision::Exact).unwrap_or_else(|error| panic!("{error}"));
     let record = &trace.records[99];
-    let values = &fast[99];
+    let values = &fast[99].values;
     assert_eq!(values[&Quantity::FilteredMean], record.filtered.mean);
     assert_eq!(values[&Quantity::FilteredCovariance], record.filtered.covariance);
     [decimals(&record.filtered.mean[(0, 0)]), decimals(&record.filtered.covariance[(0, 0)])]

@@ -19,6 +19,8 @@ pub(super) struct Eliminated {
     pub(super) filtered: State,
     /// x_{k+1} given y_k, when the transition departs from k.
     pub(super) departed: Option<State>,
+    /// The number of pivots, which is the rank of S.
+    pub(super) rank: usize,
 }
 
 /// J and one more column, over `scale · divisor` and `mean_scale · divisor`; y first, then each target.
@@ -97,16 +99,20 @@ impl Joint {
     }
 
     pub(super) fn eliminated(mut self) -> Result<Eliminated, Stop> {
+        let mut rank = 0;
         for row in 0..self.observed {
             match self.covariance[(row, row)].sign() {
-                Sign::Plus => self.eliminate(row),
+                Sign::Plus => {
+                    self.eliminate(row);
+                    rank += 1;
+                }
                 Sign::NoSign if self.is_settled(row) => {}
                 Sign::NoSign | Sign::Minus => return Err(Stop),
             }
         }
         let mut targets = (0..self.targets).map(|target| self.target(target));
         match targets.next() {
-            Some(filtered) => Ok(Eliminated { filtered, departed: targets.next() }),
+            Some(filtered) => Ok(Eliminated { filtered, departed: targets.next(), rank }),
             None => Err(Stop),
         }
     }

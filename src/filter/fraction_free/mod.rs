@@ -26,13 +26,22 @@ use super::FilterError;
 use super::recursion::{Recursion, filter};
 use super::update::{Sensors, update};
 use crate::gaussian::ConditionError;
-use crate::matrix::{Matrix, PseudoInverseError, Undecided};
+use crate::matrix::{PseudoInverseError, Undecided};
 use crate::model::{Path, Step, Timing};
 use crate::scalar::Rational;
-use crate::trace::{Quantity, Values};
+use crate::trace::{Quantity, Record, Values};
 
-/// Why the fraction-free filter stopped, with the values of the steps before.
-pub type FractionFreeError = FilterError<Rational, Values<Rational>>;
+/// The results of one step.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FractionFreeStep {
+    /// The named values, all but the gain.
+    pub values: Values<Rational>,
+    /// The rank of the innovation covariance, exactly.
+    pub innovation_rank: usize,
+}
+
+/// Why the fraction-free filter stopped, with the results of the steps before.
+pub type FractionFreeError = FilterError<Rational, FractionFreeStep>;
 
 /// The values of [`filter`] except the gain, by a faster route.
 ///
@@ -47,20 +56,20 @@ pub type FractionFreeError = FilterError<Rational, Values<Rational>>;
 pub fn filter_fraction_free(
     path: &Path<Rational>,
     precision: Precision,
-) -> Result<Vec<Values<Rational>>, FractionFreeError> {
+) -> Result<Vec<FractionFreeStep>, FractionFreeError> {
     if path.initial().allow_indefinite {
         return by_recursion(path, precision);
     }
     let mut start = Recursion::new(path);
-    let mut values: Vec<Values<Rational>> = Vec::new();
+    let mut done: Vec<FractionFreeStep> = Vec::new();
     let mut state: Option<State> = None;
     let mut predicted_already = start.is_predicted();
     for (k, step) in path.steps().iter().enumerate() {
         let stopped = |source, computed| FilterError { step: k, source, computed };
         if state.is_none() {
             let Some(moments) = start.plain_state() else {
-                start.advance(step).map_err(|source| stopped(source, values.clone()))?;
-                values.extend(start.records.last().map(|record| rounded(record.values(), precision)));
+                start.advance(step).map_err(|source| stopped(source, done.clone()))?;
+                done.extend(start.records.last().map(|record| rounded(record, precision)));
                 predicted_already = start.is_predicted();
                 continue;
             };
@@ -74,14 +83,14 @@ pub fn filter_fraction_free(
         };
         predicted_already = path.timing() == Timing::Departing;
         match advanced(&predicted, step, path.timing(), precision) {
-            Ok((step_values, next)) => {
-                values.push(step_values);
+            Ok((results, next)) => {
+                done.push(results);
                 state = next;
             }
-            Err(Stop) => return Err(stopped(reason(&predicted, step, path.timing()), values)),
+            Err(Stop) => return Err(stopped(reason(&predicted, step, path.timing()), done)),
         }
     }
-    Ok(values)
+    Ok(done)
 }
 
 /// One observation: the values of the step, and the state with which the next one begins.
@@ -90,7 +99,7 @@ fn advanced(
     step: &Step<Rational>,
     timing: Timing,
     precision: Precision,
-) -> Result<(Values<Rational>, Option<State>), Stop> {
+) -> Result<(FractionFreeStep, Option<State>), Stop> {
     let sensors = Sensors::of(step);
     let joint = Joint::of(predicted, &sensors, step.transition.as_ref(), timing);
     let mut values = Values::new();
@@ -100,13 +109,13 @@ fn advanced(
         values.insert(Quantity::Innovation, innovation);
         values.insert(Quantity::InnovationCovariance, covariance);
     }
-    let Eliminated { filtered, departed } = joint.eliminated()?;
+    let Eliminated { filtered, departed, rank } = joint.eliminated()?;
     filtered.put(&mut values, [Quantity::FilteredMean, Quantity::FilteredCovariance], precision);
     let next = match timing {
         Timing::Arriving => Some(filtered),
         Timing::Departing => departed,
     };
-    Ok((values, next))
+    Ok((FractionFreeStep { values, innovation_rank: rank }, next))
 }
 
 /// The reason why the elimination stopped, with its witness, in the words of the recursion.
@@ -118,21 +127,16 @@ fn reason(predicted: &State, step: &Step<Rational>, timing: Timing) -> Condition
     }
 }
 
-fn by_recursion(path: &Path<Rational>, precision: Precision) -> Result<Vec<Values<Rational>>, FractionFreeError> {
-    let finish = |records: Vec<crate::trace::Record<Rational>>| {
-        records.iter().map(|record| rounded(record.values(), precision)).collect()
-    };
+fn by_recursion(path: &Path<Rational>, precision: Precision) -> Result<Vec<FractionFreeStep>, FractionFreeError> {
+    let finish = |records: &[Record<Rational>]| records.iter().map(|record| rounded(record, precision)).collect();
     match filter(path) {
-        Ok(trace) => Ok(finish(trace.records)),
-        Err(FilterError { step, source, computed }) => Err(FilterError { step, source, computed: finish(computed) }),
+        Ok(trace) => Ok(finish(&trace.records)),
+        Err(FilterError { step, source, computed }) => Err(FilterError { step, source, computed: finish(&computed) }),
     }
 }
 
-fn rounded(values: Values<Rational>, precision: Precision) -> Values<Rational> {
-    let round = |matrix: Matrix<Rational>| matrix.map(|entry| precision.fraction(entry.numer(), entry.denom()));
-    values
-        .into_iter()
-        .filter(|(quantity, _)| *quantity != Quantity::Gain)
-        .map(|(q, matrix)| (q, round(matrix)))
-        .collect()
+fn rounded(record: &Record<Rational>, precision: Precision) -> FractionFreeStep {
+    let values = record.values().into_iter().filter(|(quantity, _)| *quantity != Quantity::Gain);
+    let values = values.map(|(quantity, matrix)| (quantity, matrix.map(|entry| precision.of(entry)))).collect();
+    FractionFreeStep { values, innovation_rank: record.innovation_rank }
 }

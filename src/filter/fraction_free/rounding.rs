@@ -20,6 +20,11 @@ pub enum Precision {
 }
 
 impl Precision {
+    /// A fraction, as it is or rounded.
+    pub fn of(self, value: &Rational) -> Rational {
+        self.fraction(value.numer(), value.denom())
+    }
+
     /// The fraction of two integers, the denominator positive.
     pub(super) fn fraction(self, numerator: &BigInt, denominator: &BigInt) -> Rational {
         match self {
