@@ -4,5 +4,7 @@ pub mod filter;
 pub mod gaussian;
 pub mod matrix;
 pub mod model;
+#[cfg(feature = "judge")]
+pub mod protocol;
 pub mod scalar;
 pub mod trace;

@@ -2,7 +2,7 @@
 //!
 //! Holds the three traits on which everything above is written, the exact rationals and the residues
 //! modulo a prime. Holds no matrix and no floating point: `f64` is deliberately no [`Scalar`], since no
-//! exact question can be asked of it.
+//! exact question can be asked of it; the two ways between doubles and rationals are exact or rounded once.
 //!
 //! | scalar | [`Scalar`] | [`Field`] | [`OrderedField`] | zero test |
 //! |---|---|---|---|---|
@@ -13,11 +13,13 @@
 //! A trait is a document: generic code relies on nothing but what is written here, and every promise has
 //! a law in [`laws`].
 
+mod float;
 mod integer;
 pub mod laws;
 mod rational;
 mod residue;
 
+pub use float::{exact_value, nearest_double, nearest_single};
 pub(crate) use integer::common_divisor;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};

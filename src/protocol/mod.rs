@@ -1,0 +1,41 @@
+//! Floor 3 · The line protocol: cases, answers, and the programs that are asked.
+//!
+//! A [`Case`] goes out on one line of JSON, an [`Answer`] comes back on one line; a [`Subject`] is the program in
+//! between. Numbers travel as strings, and [`Numbers`] says what the strings mean. Everything that comes from
+//! outside is bounded before it is computed with: [`MAXIMAL_DOCUMENT_BYTES`],
+//! [`MAXIMAL_LITERAL_CHARACTERS`], [`MAXIMAL_EXACT_EXPONENT`], and the [`Limits`] of a subject.
+//!
+//! Holds no filter and no verdict: a case becomes the exact [`Problem`] it means, an answer becomes
+//! [`Values`](crate::trace::Values), a misbehaving subject becomes a [`Reply`]. The format is described for
+//! strangers in `docs/PROTOCOL.md`, and as JSON Schema in `schema/`.
+
+mod along;
+mod answer;
+mod answer_document;
+mod answer_number;
+mod case;
+mod case_error;
+mod decimal;
+mod document;
+mod entry;
+mod fault;
+mod literal;
+mod number;
+mod pretty;
+mod problem;
+mod subject;
+mod witness;
+
+pub use along::{Along, Matrices, Rows, Vectors};
+pub use answer::{Answer, AnswerError, Outcome};
+pub use answer_number::AnswerNumber;
+pub use case::{Case, CaseFormat, Expect, InitialLaw, InputTerm, NoiseLaw};
+pub use case_error::CaseError;
+pub use decimal::Decimal;
+pub use document::MAXIMAL_DOCUMENT_BYTES;
+pub use entry::Entry;
+pub use literal::{MAXIMAL_EXACT_EXPONENT, MAXIMAL_LITERAL_CHARACTERS};
+pub use number::{Number, NumberError, Numbers, shortest_double};
+pub use problem::Problem;
+pub use subject::{Limits, Reply, Strays, Subject};
+pub use witness::short_witness;
