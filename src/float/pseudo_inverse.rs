@@ -1,0 +1,55 @@
+//! The form for singular innovations: the pseudo-inverse of S.
+
+use nalgebra::DMatrix;
+
+use super::error::Obstacle;
+use super::moments::Moments;
+use super::observed::Observed;
+use super::recursion::{Recursion, Update};
+use super::short;
+use super::transition::{Departure, Transition};
+
+/// S⁺ by singular values (CKS-T in floating point), and (I − KC)P.
+pub(super) struct PseudoInverse;
+
+/// Far above the two or three iterations a singular value takes; there so that no input can run for ever.
+const ITERATIONS: usize = 10_000;
+
+impl Recursion for PseudoInverse {
+    const NAME: &'static str = "pseudo-inverse";
+    const DESCRIPTION: &'static str = "S pseudo-inverted by singular values, covariance (I - KC)P";
+    type Belief = Moments;
+
+    fn start(moments: Moments) -> Result<Moments, Obstacle> {
+        Ok(moments)
+    }
+
+    fn moments(belief: &Moments) -> Result<Moments, Obstacle> {
+        Ok(belief.clone())
+    }
+
+    fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle> {
+        Ok(short::predicted(belief, transition))
+    }
+
+    fn updated(
+        belief: &Moments,
+        observed: &Observed,
+        departure: Option<&Departure<'_>>,
+    ) -> Result<Update<Moments>, Obstacle> {
+        short::updated(belief, observed, departure, pseudo_inverse)
+    }
+}
+
+/// S⁺, where singular values up to `m · ε · σ_max` count as zero: the customary threshold (MATLAB's `pinv`,
+/// `numpy.linalg.matrix_rank`).
+fn pseudo_inverse(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Obstacle> {
+    if !s.iter().all(|entry| entry.is_finite()) {
+        return Err(Obstacle::NotFinite);
+    }
+    let decomposition = s.clone().try_svd(true, true, f64::EPSILON, ITERATIONS).ok_or(Obstacle::Unconverged)?;
+    let largest = decomposition.singular_values.max();
+    #[expect(clippy::cast_precision_loss, reason = "no matrix has 2^53 rows")]
+    let threshold = s.nrows().max(s.ncols()) as f64 * f64::EPSILON * largest;
+    decomposition.pseudo_inverse(threshold).map_err(|_| Obstacle::NotFinite)
+}
