@@ -22,8 +22,8 @@ pub enum FloatError {
         /// The values of the steps before.
         computed: Vec<Values<f64>>,
     },
-    /// The singular value decomposition did not converge.
-    #[error("the singular values of the innovation covariance were not found at step {step}")]
+    /// The spectral decomposition did not converge.
+    #[error("the spectrum of the innovation covariance was not found at step {step}")]
     Unconverged {
         /// The step, counted from 0.
         step: usize,

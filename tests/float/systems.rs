@@ -37,7 +37,7 @@ fn per_step(
 ///
 /// R and P₀ are at least I and ‖A‖ is at most 3/2: S has a condition number below about 10⁴.
 pub(crate) fn paths(timing: Timing) -> impl Strategy<Value = Path<Rational>> {
-    (1usize..=3, 1usize..=2, 1usize..=4, any::<bool>()).prop_flat_map(move |(n, m, steps, early)| {
+    (1usize..=3, 1usize..=3, 1usize..=4, any::<bool>()).prop_flat_map(move |(n, m, steps, early)| {
         let initial = (matrix(n, 1, 8, 2), matrix(n, n, 2, 2));
         let dynamics = (per_step(steps, n, n, 2, 4), per_step(steps, m, n, 4, 4));
         let noise = (per_step(steps, n, 2, 4, 4), per_step(steps, m, 2, 4, 4));
