@@ -1,7 +1,11 @@
 //! The exact reference for Kalman filtering.
 
 pub mod filter;
+#[cfg(feature = "float")]
+pub mod float;
 pub mod gaussian;
+#[cfg(feature = "judge")]
+pub mod judge;
 pub mod matrix;
 pub mod model;
 #[cfg(feature = "judge")]

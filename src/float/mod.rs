@@ -1,0 +1,31 @@
+//! Floor 3 · Kalman filters in `f64`, on nalgebra.
+//!
+//! Holds the recursion in the forms that people run, each in a file of its own, written independently of the
+//! exact filter: the one must be able to be right when the other is wrong. Holds no verdict on what comes out.
+//!
+//! All forms compute the same conditional moments, and differ in what rounding does to them. With x̂, P the
+//! predicted moments, M₁ the covariance of x − x̂ with the noise of y (arriving timing) and M₂ that of the noise
+//! of the departing transition with the noise of y (departing timing):
+//!
+//! ```text
+//! ν  = y − Gv − C x̂                        Γ  = P Cᵀ + M₁
+//! S  = C P Cᵀ + C M₁ + M₁ᵀCᵀ + R           K  = Γ S⁻¹        K₊ = (A P Cᵀ + M₂) S⁻¹
+//! filtered: x̂ + K ν,  P − K S Kᵀ           ahead: A x̂ + B u + K₊ ν,  A P Aᵀ + Q − K₊ S K₊ᵀ
+//! ```
+//!
+//! A further form is one file that implements `Recursion`, and its variant in [`Form`].
+
+mod error;
+mod form;
+mod joseph;
+mod moments;
+mod observed;
+mod pseudo_inverse;
+mod recursion;
+mod short;
+mod symmetric;
+mod textbook;
+mod transition;
+
+pub use error::FloatError;
+pub use form::{Form, filter};
