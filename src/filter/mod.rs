@@ -18,6 +18,6 @@ mod series;
 mod update;
 
 pub use error::FilterError;
-pub use fraction_free::{FractionFreeError, FractionFreeStep, Precision, filter_fraction_free};
+pub use fraction_free::{Effort, FractionFreeError, FractionFreeStep, Precision, StopReason, filter_fraction_free};
 pub use one_shot::{OneShot, one_shot};
 pub use recursion::filter;

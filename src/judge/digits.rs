@@ -73,7 +73,12 @@ pub struct EntryDigits {
 /// max(|xᵢ|, √Pᵢᵢ).
 ///
 /// The shapes are equal (the caller has checked them); no entry at all counts as exact.
-pub(super) fn digits(quantity: Quantity, theirs: &Matrix<Rational>, truth: &Matrix<Rational>, scale: &Scale) -> EntryDigits {
+pub(super) fn digits(
+    quantity: Quantity,
+    theirs: &Matrix<Rational>,
+    truth: &Matrix<Rational>,
+    scale: &Scale,
+) -> EntryDigits {
     let mut worst = EntryDigits { digits: Digits::EXACT, row: 0, column: 0 };
     for row in 0..truth.rows() {
         for column in 0..truth.columns() {

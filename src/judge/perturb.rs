@@ -108,7 +108,8 @@ impl Perturbation {
             return value.clone();
         }
         let unit = ratio(1, 1 << 53);
-        let factor = if self.signs.next_u64() >> 63 == 0 { Rational::one().plus(&unit) } else { Rational::one().minus(&unit) };
+        let factor =
+            if self.signs.next_u64() >> 63 == 0 { Rational::one().plus(&unit) } else { Rational::one().minus(&unit) };
         Precision::Rounded { bits: BITS }.of(&value.times(&factor))
     }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::perturb::Perturbation;
 use super::scale::Largest;
 use super::{Digits, Scale, digits};
-use crate::filter::{Precision, filter_fraction_free};
+use crate::filter::{Effort, FractionFreeError, Precision, StopReason, filter_fraction_free};
 use crate::gaussian::ConditionError;
 use crate::model::Path;
 use crate::scalar::Rational;
@@ -13,6 +13,11 @@ use crate::trace::{Quantity, Values};
 
 /// Significant bits of the truth that digits are counted against: far more than 17 digits need.
 const BITS: u32 = 256;
+
+/// The length in bits that exact denominators may reach; what is longer is left undecided.
+const MAXIMAL_BITS: u64 = 1 << 18;
+
+const EFFORT: Effort = Effort { precision: Precision::Rounded { bits: BITS }, maximal_bits: Some(MAXIMAL_BITS) };
 
 /// How many perturbed problems are solved.
 const DRAWS: u64 = 20;
@@ -38,11 +43,17 @@ const STRUCTURAL: f64 = 15.0;
 
 impl Reference {
     /// Solves a problem and twenty perturbed ones.
-    pub fn of(path: &Path<Rational>) -> Self {
-        let precision = Precision::Rounded { bits: BITS };
-        let (steps, contradiction) = match filter_fraction_free(path, precision) {
+    ///
+    /// # Errors
+    ///
+    /// [`FractionFreeError`] if the exact numbers outgrow 2¹⁸ bits: the truth is then unknown here.
+    pub fn of(path: &Path<Rational>) -> Result<Self, FractionFreeError> {
+        let (steps, contradiction) = match filter_fraction_free(path, EFFORT) {
             Ok(steps) => (steps, None),
-            Err(error) => (error.computed, Some((error.step, error.source))),
+            Err(FractionFreeError { step, reason: StopReason::Condition(reason), computed }) => {
+                (computed, Some((step, reason)))
+            }
+            Err(error) => return Err(error),
         };
         let observed: Vec<Vec<usize>> = path.steps().iter().map(|step| step.reading.present()).collect();
         let rank_deficient = steps.iter().zip(&observed).any(|(step, observed)| step.innovation_rank < observed.len());
@@ -55,7 +66,7 @@ impl Reference {
         if !singular {
             reference.perturb(path);
         }
-        reference
+        Ok(reference)
     }
 
     /// The scale of a quantity at a step; nothing for what is not judged there.
@@ -70,24 +81,27 @@ impl Reference {
 
     /// Lowers what is attainable to the worst of the perturbed answers.
     fn perturb(&mut self, path: &Path<Rational>) {
+        let solve = |seed: u64| -> Vec<Values<Rational>> {
+            let steps = filter_fraction_free(&Perturbation::seeded(seed).of(path), Precision::Rounded { bits: BITS });
+            steps.unwrap_or_else(|error| error.computed).into_iter().map(|step| step.values).collect()
+        };
+        let workers = std::thread::available_parallelism().map_or(1, usize::from).min(8);
         let answers: Vec<Vec<Values<Rational>>> = std::thread::scope(|scope| {
-            let workers = std::thread::available_parallelism().map_or(1, usize::from).min(8) as u64;
-            let solve = |first: u64| {
-                (first..DRAWS).step_by(usize::try_from(workers).unwrap_or(1)).map(|seed| {
-                    let perturbed = Perturbation::seeded(seed).of(path);
-                    let steps = filter_fraction_free(&perturbed, Precision::Rounded { bits: BITS });
-                    let steps = steps.unwrap_or_else(|error| error.computed);
-                    steps.into_iter().map(|step| step.values).collect::<Vec<_>>()
-                })
+            let share = |first: usize| {
+                scope.spawn(move || (0..DRAWS).skip(first).step_by(workers).map(solve).collect::<Vec<_>>())
             };
-            let handles: Vec<_> =
-                (0..workers).map(|first| scope.spawn(move || solve(first).collect::<Vec<_>>())).collect();
-            handles.into_iter().flat_map(|handle| handle.join().unwrap_or_default()).collect()
+            let shares: Vec<_> = (0..workers).map(share).collect();
+            shares
+                .into_iter()
+                .flat_map(|share| share.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+                .collect()
         });
         for answer in &answers {
             for (step, (values, truth)) in answer.iter().zip(&self.values).enumerate() {
                 for (&quantity, matrix) in values {
-                    let (Some(scale), Some(exact)) = (self.scale(step, quantity), truth.get(&quantity)) else { continue };
+                    let (Some(scale), Some(exact)) = (self.scale(step, quantity), truth.get(&quantity)) else {
+                        continue;
+                    };
                     let kept = digits::digits(quantity, matrix, exact, &scale).digits;
                     if let Some(attainable) = self.attainable[step].get_mut(&quantity) {
                         *attainable = attainable.min(kept);

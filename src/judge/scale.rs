@@ -57,7 +57,10 @@ impl Largest {
                 }
             }
             if let Some(covariance) = values.get(&Quantity::InnovationCovariance) {
-                observed.iter().enumerate().for_each(|(place, &i)| raise(&mut of_sensors[i], &covariance[(place, place)]));
+                observed
+                    .iter()
+                    .enumerate()
+                    .for_each(|(place, &i)| raise(&mut of_sensors[i], &covariance[(place, place)]));
             }
         }
         Self { states, sensors: of_sensors }
@@ -67,7 +70,9 @@ impl Largest {
     pub(super) fn scale(&self, quantity: Quantity, observed: &[usize], truth: &Values<Rational>) -> Option<Scale> {
         let all: Vec<usize> = (0..self.states.len()).collect();
         let (covariance, components, largest) = match quantity {
-            Quantity::FilteredMean | Quantity::FilteredCovariance => (Quantity::FilteredCovariance, &*all, &self.states),
+            Quantity::FilteredMean | Quantity::FilteredCovariance => {
+                (Quantity::FilteredCovariance, &*all, &self.states)
+            }
             Quantity::PredictedMean | Quantity::PredictedCovariance => {
                 (Quantity::PredictedCovariance, &*all, &self.states)
             }

@@ -25,6 +25,18 @@ pub enum Outcome {
     Unsupported,
 }
 
+impl std::fmt::Display for Outcome {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Self::Answered => "answered",
+            Self::Refused => "refused",
+            Self::Flagged => "flagged",
+            Self::Error => "error",
+            Self::Unsupported => "unsupported",
+        })
+    }
+}
+
 /// What a subject says to a case.
 ///
 /// What is read has entries of type [`Number`]; to write an answer, use `f64` or

@@ -32,6 +32,17 @@ pub enum Number {
     NotANumber,
 }
 
+impl std::fmt::Display for Number {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Finite(value) => value.fmt(f),
+            Self::NotANumber => f.pad("NaN"),
+            Self::Infinite { negative: false } => f.pad("Infinity"),
+            Self::Infinite { negative: true } => f.pad("-Infinity"),
+        }
+    }
+}
+
 /// Why a literal has no value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]

@@ -1,6 +1,6 @@
 //! The integer kernel equals the recursion, value by value.
 
-use exact_kalman::filter::{FilterError, Precision, filter, filter_fraction_free};
+use exact_kalman::filter::{FractionFreeError, Precision, StopReason, filter, filter_fraction_free};
 use exact_kalman::scalar::{Rational, Scalar, ratio};
 use exact_kalman::trace::{Quantity, Values};
 use proptest::prelude::*;
@@ -62,8 +62,8 @@ proptest! {
         match (filter(&path), filter_fraction_free(&path, Precision::Exact)) {
             (Ok(trace), Ok(values)) => prop_assert_eq!(trace.records.len(), values.len()),
             (Err(slow), Err(fast)) => {
-                let FilterError { step, source, computed } = fast;
-                prop_assert_eq!((slow.step, slow.source), (step, source));
+                let FractionFreeError { step, reason, computed } = fast;
+                prop_assert_eq!((slow.step, StopReason::from(slow.source)), (step, reason));
                 prop_assert_eq!(slow.computed.len(), computed.len());
             }
             (slow, fast) => prop_assert!(false, "recursion {slow:?}, integers {fast:?}"),

@@ -15,10 +15,12 @@
 //! there, else the data have probability zero.
 
 mod elimination;
+mod error;
 mod rounding;
 mod state;
 
 use elimination::{Eliminated, Joint, Stop};
+pub use error::{FractionFreeError, StopReason};
 pub use rounding::Precision;
 use state::State;
 
@@ -40,8 +42,20 @@ pub struct FractionFreeStep {
     pub innovation_rank: usize,
 }
 
-/// Why the fraction-free filter stopped, with the results of the steps before.
-pub type FractionFreeError = FilterError<Rational, FractionFreeStep>;
+/// How far the fraction-free filter goes, and what it hands out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// How results are handed out.
+    pub precision: Precision,
+    /// The length in bits that denominators may reach, if there is a limit.
+    pub maximal_bits: Option<u64>,
+}
+
+impl From<Precision> for Effort {
+    fn from(precision: Precision) -> Self {
+        Self { precision, maximal_bits: None }
+    }
+}
 
 /// The values of [`filter`] except the gain, by a faster route.
 ///
@@ -52,23 +66,24 @@ pub type FractionFreeError = FilterError<Rational, FractionFreeStep>;
 ///
 /// # Errors
 ///
-/// As for [`filter`].
+/// [`FractionFreeError`] for the reasons of [`filter`], or when numbers outgrow the limit.
 pub fn filter_fraction_free(
     path: &Path<Rational>,
-    precision: Precision,
+    effort: impl Into<Effort>,
 ) -> Result<Vec<FractionFreeStep>, FractionFreeError> {
+    let Effort { precision, maximal_bits } = effort.into();
     if path.initial().allow_indefinite {
         return by_recursion(path, precision);
     }
     let mut start = Recursion::new(path);
+    let mut predicted_already = start.is_predicted();
     let mut done: Vec<FractionFreeStep> = Vec::new();
     let mut state: Option<State> = None;
-    let mut predicted_already = start.is_predicted();
     for (k, step) in path.steps().iter().enumerate() {
-        let stopped = |source, computed| FilterError { step: k, source, computed };
+        let stopped = |reason, computed| FractionFreeError { step: k, reason, computed };
         if state.is_none() {
             let Some(moments) = start.plain_state() else {
-                start.advance(step).map_err(|source| stopped(source, done.clone()))?;
+                start.advance(step).map_err(|source| stopped(source.into(), done.clone()))?;
                 done.extend(start.records.last().map(|record| rounded(record, precision)));
                 predicted_already = start.is_predicted();
                 continue;
@@ -77,6 +92,9 @@ pub fn filter_fraction_free(
         }
         // A path has a transition wherever a later observation depends on it.
         let Some(current) = state.take() else { break };
+        if let Some(limit) = maximal_bits.filter(|limit| current.bits() > *limit) {
+            return Err(stopped(StopReason::TooLong { bits: current.bits(), limit }, done));
+        }
         let predicted = match (&step.transition, path.timing()) {
             (Some(transition), Timing::Arriving) if !predicted_already => current.propagated(transition),
             _ => current,
@@ -87,7 +105,7 @@ pub fn filter_fraction_free(
                 done.push(results);
                 state = next;
             }
-            Err(Stop) => return Err(stopped(reason(&predicted, step, path.timing()), done)),
+            Err(Stop) => return Err(stopped(reason(&predicted, step, path.timing()).into(), done)),
         }
     }
     Ok(done)
@@ -131,7 +149,9 @@ fn by_recursion(path: &Path<Rational>, precision: Precision) -> Result<Vec<Fract
     let finish = |records: &[Record<Rational>]| records.iter().map(|record| rounded(record, precision)).collect();
     match filter(path) {
         Ok(trace) => Ok(finish(&trace.records)),
-        Err(FilterError { step, source, computed }) => Err(FilterError { step, source, computed: finish(&computed) }),
+        Err(FilterError { step, source, computed }) => {
+            Err(FractionFreeError { step, reason: source.into(), computed: finish(&computed) })
+        }
     }
 }
 

@@ -35,6 +35,11 @@ impl State {
         }
     }
 
+    /// The length of the denominator of the covariance.
+    pub(super) fn bits(&self) -> u64 {
+        self.scale.bits() + self.divisor.bits()
+    }
+
     /// The state as exact fractions.
     pub(super) fn moments(&self) -> Moments<Rational> {
         let mut values = Values::new();

@@ -1,0 +1,34 @@
+//! Why the fraction-free filter stopped.
+
+use super::FractionFreeStep;
+use crate::gaussian::ConditionError;
+use crate::scalar::Rational;
+
+/// The fraction-free filter cannot go on at a step.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("at step {step}: {reason}")]
+pub struct FractionFreeError {
+    /// The step, counted from 0.
+    pub step: usize,
+    /// The reason, with its witness.
+    pub reason: StopReason,
+    /// The results of the steps before it.
+    pub computed: Vec<FractionFreeStep>,
+}
+
+/// Why a filter on exact numbers stops.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum StopReason {
+    /// As in the recursion.
+    #[error(transparent)]
+    Condition(#[from] ConditionError<Rational>),
+    /// Exact numbers lengthen with every step; these have outgrown the limit.
+    #[error("exact numbers have grown to {bits} bits, beyond the limit of {limit}")]
+    TooLong {
+        /// The length reached.
+        bits: u64,
+        /// The limit.
+        limit: u64,
+    },
+}

@@ -1,0 +1,198 @@
+//! Holds a reply against the truth.
+
+use super::invariants::indefiniteness;
+use super::{Digits, EntryDigits, Indefiniteness, Reference, Verdict, digits};
+use crate::matrix::Matrix;
+use crate::protocol::{Answer, Expect, Number, Outcome, Reply};
+use crate::scalar::Rational;
+use crate::trace::{Quantity, Values};
+
+/// The digits of one quantity at the step where it does worst.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Score {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// The step where digits fall furthest behind the attainable ones, counted from 0.
+    pub step: usize,
+    /// Its worst entry there.
+    pub worst: EntryDigits,
+    /// What was attainable there.
+    pub attainable: Digits,
+    /// The verdict on it.
+    pub verdict: Verdict,
+}
+
+/// The judgement on one case.
+#[derive(Clone, Debug)]
+pub struct Judgement {
+    /// The worst of everything below.
+    pub verdict: Verdict,
+    /// One score per quantity that was answered and judged.
+    pub scores: Vec<Score>,
+    /// The first covariance that is not positive semidefinite, with its step; also where only rounding is to blame.
+    pub indefinite: Option<(Quantity, usize, Indefiniteness)>,
+    /// The first covariance whose mirrored entries are not the same doubles.
+    pub asymmetric: Option<(Quantity, usize)>,
+    /// What there is to say in words: why, and where.
+    pub remarks: Vec<String>,
+}
+
+impl Judgement {
+    fn plain(verdict: Verdict, remark: impl Into<String>) -> Self {
+        Self { verdict, scores: Vec::new(), indefinite: None, asymmetric: None, remarks: vec![remark.into()] }
+    }
+
+    /// The judgement on a reply. `truth` is the reference, or why the case itself is bad.
+    pub fn of(expect: Expect, truth: &Result<Reference, String>, reply: &Reply) -> Self {
+        let answer = match reply {
+            Reply::Answer(answer) => answer,
+            Reply::TimedOut { .. } => return Self::plain(Verdict::TimedOut, reply.to_string()),
+            Reply::Died { .. } | Reply::NotStarted { .. } => return Self::plain(Verdict::Died, reply.to_string()),
+            _ => return Self::plain(Verdict::Malformed, reply.to_string()),
+        };
+        match (truth, expect) {
+            (Err(why), Expect::Refuse) => of_bad_input(answer, why),
+            (Err(why), _) => Self::plain(Verdict::Undecided, format!("the case is not a valid problem: {why}")),
+            (Ok(_), Expect::Refuse) => Self::plain(Verdict::Undecided, "the case is to be refused, but is valid"),
+            (Ok(reference), Expect::Estimate | Expect::Flag) => of_problem(answer, reference),
+        }
+    }
+
+    fn note(&mut self, verdict: Verdict, remark: impl Into<String>) {
+        self.verdict = self.verdict.max(verdict);
+        self.remarks.push(remark.into());
+    }
+}
+
+fn said(answer: &Answer) -> String {
+    let step = answer.step.map_or_else(String::new, |step| format!(" at step {step}"));
+    let message = answer.message.as_deref().map_or_else(String::new, |text| format!(": {}", excerpt(text)));
+    format!("the subject says «{}»{step}{message}", answer.outcome)
+}
+
+/// The beginning of a text that came from outside, on one line.
+fn excerpt(text: &str) -> String {
+    const LENGTH: usize = 200;
+    let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(LENGTH + 1).collect();
+    if line.chars().count() > LENGTH { line.chars().take(LENGTH).chain(['…']).collect() } else { line }
+}
+
+fn of_bad_input(answer: &Answer, why: &str) -> Judgement {
+    match answer.outcome {
+        Outcome::Refused | Outcome::Error | Outcome::Flagged => Judgement::plain(Verdict::Agrees, said(answer)),
+        Outcome::Unsupported => Judgement::plain(Verdict::Unsupported, said(answer)),
+        Outcome::Answered => Judgement::plain(Verdict::AcceptedBadInput, why),
+    }
+}
+
+fn of_problem(answer: &Answer, reference: &Reference) -> Judgement {
+    let nothing = Judgement {
+        verdict: Verdict::Agrees,
+        scores: Vec::new(),
+        indefinite: None,
+        asymmetric: None,
+        remarks: Vec::new(),
+    };
+    let steps = reference.observed.len();
+    let mut judgement = nothing;
+    match (answer.outcome, &reference.contradiction) {
+        (Outcome::Unsupported, _) => return Judgement::plain(Verdict::Unsupported, said(answer)),
+        (Outcome::Answered, None) => {}
+        (Outcome::Answered, Some((step, reason))) => {
+            judgement.note(Verdict::AcceptedBadInput, format!("at step {step} {reason}; this was not reported"));
+        }
+        (outcome, Some((step, _)))
+            if answer.step == Some(*step) || (answer.step.is_none() && outcome != Outcome::Error) =>
+        {
+            judgement.note(Verdict::Agrees, said(answer));
+        }
+        (_, Some((step, reason))) => {
+            judgement.note(Verdict::Wrong, format!("{}, but it is at step {step} that {reason}", said(answer)));
+        }
+        (Outcome::Refused | Outcome::Flagged, None) => judgement.note(Verdict::RefusedValidInput, said(answer)),
+        (Outcome::Error, None) => judgement.note(Verdict::Error, said(answer)),
+    }
+    if answer.outcome == Outcome::Answered && answer.steps.len() != steps {
+        judgement
+            .note(Verdict::Wrong, format!("{} steps are answered, there are {steps} observations", answer.steps.len()));
+    }
+    for quantity in Quantity::ALL {
+        if let Some(score) = score(quantity, &answer.steps, reference, &mut judgement) {
+            judgement.verdict = judgement.verdict.max(score.verdict);
+            judgement.scores.push(score);
+        }
+    }
+    if answer.outcome == Outcome::Answered && judgement.scores.is_empty() && judgement.verdict == Verdict::Agrees {
+        judgement
+            .note(Verdict::Wrong, "nothing that is judged was answered: give filtered_mean and filtered_covariance");
+    }
+    judgement
+}
+
+/// Scores one quantity over all steps, and looks at its invariants.
+fn score(
+    quantity: Quantity,
+    answered: &[Values<Number>],
+    reference: &Reference,
+    judgement: &mut Judgement,
+) -> Option<Score> {
+    // A subject that gives a quantity at all is expected to give it at every step where it exists.
+    answered.iter().find(|values| values.contains_key(&quantity))?;
+    let mut worst: Option<Score> = None;
+    for (step, (theirs, truth)) in answered.iter().zip(&reference.values).enumerate() {
+        let (Some(exact), Some(scale)) = (truth.get(&quantity), reference.scale(step, quantity)) else { continue };
+        let attainable = reference.attainable[step].get(&quantity).copied().unwrap_or(Digits::EXACT);
+        let finite = match finite(theirs.get(&quantity), exact) {
+            Ok(finite) => finite,
+            Err(why) => {
+                judgement.note(Verdict::Wrong, format!("{quantity} at step {step} {why}"));
+                return worst;
+            }
+        };
+        let entry = digits::digits(quantity, &finite, exact, &scale);
+        let verdict = Verdict::on(entry.digits, attainable);
+        let score = Score { quantity, step, worst: entry, attainable, verdict };
+        let behind = |score: &Score| score.attainable.value() - score.worst.digits.value();
+        if worst.as_ref().is_none_or(|worst| (verdict, behind(&score)) > (worst.verdict, behind(worst))) {
+            worst = Some(score);
+        }
+        if quantity.is_covariance() {
+            let allowed = Verdict::allowed_error(attainable);
+            look_at_symmetry(quantity, step, &finite, judgement);
+            if judgement.indefinite.as_ref().is_none_or(|(.., found)| !found.beyond_rounding)
+                && let Some(found) = indefiniteness(&finite, &scale, allowed)
+                && (found.beyond_rounding || judgement.indefinite.is_none())
+            {
+                if found.beyond_rounding {
+                    judgement.verdict = judgement.verdict.max(Verdict::NotPositiveSemidefinite);
+                }
+                judgement.indefinite = Some((quantity, step, found));
+            }
+        }
+    }
+    if let Some(score) = &worst
+        && matches!(score.verdict, Verdict::Loses { .. })
+        && judgement.asymmetric.is_some_and(|(asymmetric, _)| asymmetric == quantity)
+    {
+        judgement.verdict = judgement.verdict.max(Verdict::Asymmetric);
+    }
+    worst
+}
+
+fn look_at_symmetry(quantity: Quantity, step: usize, theirs: &Matrix<Rational>, judgement: &mut Judgement) {
+    if judgement.asymmetric.is_none() && theirs.asymmetry().is_some() {
+        judgement.asymmetric = Some((quantity, step));
+    }
+}
+
+/// The answered matrix as exact numbers, or why it has none.
+fn finite(theirs: Option<&Matrix<Number>>, exact: &Matrix<Rational>) -> Result<Matrix<Rational>, String> {
+    let Some(theirs) = theirs else { return Err("is missing".into()) };
+    if theirs.shape() != exact.shape() {
+        return Err(format!("is {} where {} is needed", theirs.shape(), exact.shape()));
+    }
+    theirs.try_map(|entry| match entry {
+        Number::Finite(value) => Ok(value.clone()),
+        other => Err(format!("has an entry {other}")),
+    })
+}

@@ -1,0 +1,28 @@
+//! Floor 5 · The judge: how many digits are right, how many could be, and what that means.
+//!
+//! A [`Reference`] holds the exact answer of a case and the digits that a backward-stable method would have kept;
+//! [`Judgement::of`] holds a reply against it. Knows no process and prints nothing.
+//!
+//! **Digits** are −log₁₀ of the largest error over the entries of a quantity, capped at 17, which also stands for
+//! exact. Errors of covariances are relative to √(PᵢᵢPⱼⱼ), those of means to max(|xᵢ|, √Pᵢᵢ), P the exact covariance;
+//! where an exact variance is zero, the largest that the component has in the run takes its place.
+//!
+//! **Attainable digits** are the worst of twenty answers to problems in which every nonzero datum is moved by a
+//! relative 2⁻⁵³. Where an innovation covariance is singular that would destroy the case, and 15 are attainable.
+//!
+//! The verdicts stand in [`Verdict`]; its 2, 4 and 6 are the only constants.
+
+mod digits;
+mod invariants;
+mod judgement;
+mod perturb;
+mod reference;
+mod scale;
+mod verdict;
+
+pub use digits::{Digits, EntryDigits};
+pub use invariants::Indefiniteness;
+pub use judgement::{Judgement, Score};
+pub use reference::Reference;
+pub use scale::Scale;
+pub use verdict::Verdict;
