@@ -13,10 +13,10 @@ Conventions mapped:
 * NaN readings are handed over as they are.
 """
 
+from kalman_case import Unsupported, serve  # first: it moves stdout away
+
 import numpy as np
 from filterpy.kalman import KalmanFilter
-
-from kalman_case import Unsupported, serve
 
 
 def predict(kalman, case, k):

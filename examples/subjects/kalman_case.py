@@ -11,6 +11,11 @@ import sys
 from fractions import Fraction
 from functools import cached_property
 
+# Native libraries print to file descriptor 1, some when they are loaded: import this module before them. The
+# descriptor becomes stderr, and the answers go to a copy of their own.
+ANSWERS = os.fdopen(os.dup(1), "w", encoding="utf-8")
+os.dup2(2, 1)
+
 import numpy as np
 
 
@@ -150,9 +155,6 @@ def answered(line, answer):
 
 def serve(answer):
     """Answers every line of stdin, one line each, until it ends."""
-    # Native libraries print to file descriptor 1: it becomes stderr, and the answers go to a copy of their own.
-    out = os.fdopen(os.dup(1), "w", encoding="utf-8")
-    os.dup2(2, 1)
     for line in sys.stdin:
         if line.strip():
-            print(json.dumps(answered(line, answer)), file=out, flush=True)
+            print(json.dumps(answered(line, answer)), file=ANSWERS, flush=True)

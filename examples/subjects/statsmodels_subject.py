@@ -17,11 +17,11 @@ Conventions mapped:
 
 import argparse
 
+from kalman_case import Unsupported, serve  # first: it moves stdout away
+
 import numpy as np
 from statsmodels.tsa.statespace.initialization import Initialization
 from statsmodels.tsa.statespace.kalman_filter import KalmanFilter
-
-from kalman_case import Unsupported, serve
 
 
 OPTIONS = {}
