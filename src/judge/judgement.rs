@@ -1,7 +1,7 @@
 //! Holds a reply against the truth.
 
 use super::invariants::indefiniteness;
-use super::{Digits, EntryDigits, Indefiniteness, Reference, Verdict, digits};
+use super::{Digits, EntryDigits, Indefiniteness, Reference, Truth, Verdict, digits};
 use crate::matrix::Matrix;
 use crate::protocol::{Answer, Expect, Number, Outcome, Reply};
 use crate::scalar::Rational;
@@ -18,6 +18,10 @@ pub struct Score {
     pub worst: EntryDigits,
     /// What was attainable there.
     pub attainable: Digits,
+    /// The fewest digits at any step.
+    pub fewest: Digits,
+    /// The fewest attainable digits at any step.
+    pub fewest_attainable: Digits,
     /// The verdict on it.
     pub verdict: Verdict,
 }
@@ -42,8 +46,8 @@ impl Judgement {
         Self { verdict, scores: Vec::new(), indefinite: None, asymmetric: None, remarks: vec![remark.into()] }
     }
 
-    /// The judgement on a reply. `truth` is the reference, or why the case itself is bad.
-    pub fn of(expect: Expect, truth: &Result<Reference, String>, reply: &Reply) -> Self {
+    /// The judgement on a reply.
+    pub fn of(expect: Expect, truth: &Truth, reply: &Reply) -> Self {
         let answer = match reply {
             Reply::Answer(answer) => answer,
             Reply::TimedOut { .. } => return Self::plain(Verdict::TimedOut, reply.to_string()),
@@ -51,10 +55,15 @@ impl Judgement {
             _ => return Self::plain(Verdict::Malformed, reply.to_string()),
         };
         match (truth, expect) {
-            (Err(why), Expect::Refuse) => of_bad_input(answer, why),
-            (Err(why), _) => Self::plain(Verdict::Undecided, format!("the case is not a valid problem: {why}")),
-            (Ok(_), Expect::Refuse) => Self::plain(Verdict::Undecided, "the case is to be refused, but is valid"),
-            (Ok(reference), Expect::Estimate | Expect::Flag) => of_problem(answer, reference),
+            (Truth::BadInput(why), Expect::Refuse) => of_bad_input(answer, why),
+            (Truth::BadInput(why), _) => {
+                Self::plain(Verdict::Undecided, format!("the case is no valid problem: {why}"))
+            }
+            (Truth::Unknown(why), _) => Self::plain(Verdict::Undecided, format!("the truth is not known: {why}")),
+            (Truth::Known(_), Expect::Refuse) => {
+                Self::plain(Verdict::Undecided, "the case is to be refused, but it is a valid problem")
+            }
+            (Truth::Known(reference), Expect::Estimate | Expect::Flag) => of_problem(answer, reference),
         }
     }
 
@@ -139,6 +148,7 @@ fn score(
     // A subject that gives a quantity at all is expected to give it at every step where it exists.
     answered.iter().find(|values| values.contains_key(&quantity))?;
     let mut worst: Option<Score> = None;
+    let (mut fewest, mut fewest_attainable) = (Digits::EXACT, Digits::EXACT);
     for (step, (theirs, truth)) in answered.iter().zip(&reference.values).enumerate() {
         let (Some(exact), Some(scale)) = (truth.get(&quantity), reference.scale(step, quantity)) else { continue };
         let attainable = reference.attainable[step].get(&quantity).copied().unwrap_or(Digits::EXACT);
@@ -151,7 +161,9 @@ fn score(
         };
         let entry = digits::digits(quantity, &finite, exact, &scale);
         let verdict = Verdict::on(entry.digits, attainable);
-        let score = Score { quantity, step, worst: entry, attainable, verdict };
+        fewest = fewest.min(entry.digits);
+        fewest_attainable = fewest_attainable.min(attainable);
+        let score = Score { quantity, step, worst: entry, attainable, fewest, fewest_attainable, verdict };
         let behind = |score: &Score| score.attainable.value() - score.worst.digits.value();
         if worst.as_ref().is_none_or(|worst| (verdict, behind(&score)) > (worst.verdict, behind(worst))) {
             worst = Some(score);
@@ -176,7 +188,7 @@ fn score(
     {
         judgement.verdict = judgement.verdict.max(Verdict::Asymmetric);
     }
-    worst
+    worst.map(|score| Score { fewest, fewest_attainable, ..score })
 }
 
 fn look_at_symmetry(quantity: Quantity, step: usize, theirs: &Matrix<Rational>, judgement: &mut Judgement) {

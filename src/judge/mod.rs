@@ -13,16 +13,22 @@
 //! The verdicts stand in [`Verdict`]; its 2, 4 and 6 are the only constants.
 
 mod digits;
+mod examinee;
 mod invariants;
 mod judgement;
 mod perturb;
 mod reference;
 mod scale;
+mod suite;
+mod truth;
 mod verdict;
 
 pub use digits::{Digits, EntryDigits};
+pub use examinee::Examinee;
 pub use invariants::Indefiniteness;
 pub use judgement::{Judgement, Score};
 pub use reference::Reference;
 pub use scale::Scale;
+pub use suite::{meaning, suite};
+pub use truth::Truth;
 pub use verdict::Verdict;

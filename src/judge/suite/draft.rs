@@ -1,7 +1,9 @@
 //! Writes cases down: matrices as one reads them, `"1 0.1; 0 1"`.
 
 use crate::model::{Before, Timing};
-use crate::protocol::{Along, Case, CaseFormat, Entry, Expect, InitialLaw, InputTerm, Matrices, NoiseLaw, Numbers, Rows};
+use crate::protocol::{
+    Along, Case, CaseFormat, Entry, Expect, InitialLaw, InputTerm, Matrices, NoiseLaw, Numbers, Rows,
+};
 
 /// A case in the making. It begins as a constant scalar state, read with noise of variance 1.
 #[derive(Clone)]
@@ -17,7 +19,9 @@ fn rows(text: &str) -> Rows {
 
 /// One matrix per observation; an empty text where no observation depends on it.
 fn along<T: AsRef<str>>(texts: impl IntoIterator<Item = T>) -> Matrices {
-    Along::PerStep(texts.into_iter().map(|text| Some(text.as_ref()).filter(|text| !text.is_empty()).map(rows)).collect())
+    Along::PerStep(
+        texts.into_iter().map(|text| Some(text.as_ref()).filter(|text| !text.is_empty()).map(rows)).collect(),
+    )
 }
 
 /// A scaled whole number as a decimal: `thousandths(-1250)` is "-1.250".
@@ -115,8 +119,7 @@ impl Draft {
         process: impl IntoIterator<Item = T>,
         observation: impl IntoIterator<Item = T>,
     ) -> Self {
-        self.0.noise =
-            NoiseLaw::Covariances { process: along(process), cross: None, observation: along(observation) };
+        self.0.noise = NoiseLaw::Covariances { process: along(process), cross: None, observation: along(observation) };
         self
     }
 
