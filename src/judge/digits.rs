@@ -37,14 +37,15 @@ impl Digits {
             return Self::EXACT;
         }
         let log2 = log2(square.numer()) - log2(square.denom());
-        Self::new(-0.5 * log2 * std::f64::consts::LOG10_2)
+        // Adding zero turns −0 into 0.
+        Self::new(-0.5 * log2 * std::f64::consts::LOG10_2 + 0.0)
     }
 }
 
 impl std::fmt::Display for Digits {
     /// Whole digits, rounded down: «14» promises fourteen.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.pad(&format!("{:.0}", self.0.floor()))
+        f.pad(&format!("{:.0}", self.0.floor() + 0.0))
     }
 }
 

@@ -22,6 +22,10 @@ pub struct Score {
     pub fewest: Digits,
     /// The fewest attainable digits at any step.
     pub fewest_attainable: Digits,
+    /// The worst entry as it was answered.
+    pub theirs: Rational,
+    /// The worst entry as it is, to more digits than a double has.
+    pub exact: Rational,
     /// The verdict on it.
     pub verdict: Verdict,
 }
@@ -115,6 +119,9 @@ fn of_problem(answer: &Answer, reference: &Reference) -> Judgement {
         {
             judgement.note(Verdict::Agrees, said(answer));
         }
+        (Outcome::Error, Some((step, reason))) => {
+            judgement.note(Verdict::Error, format!("{}, but it is at step {step} that {reason}", said(answer)));
+        }
         (_, Some((step, reason))) => {
             judgement.note(Verdict::Wrong, format!("{}, but it is at step {step} that {reason}", said(answer)));
         }
@@ -156,14 +163,17 @@ fn score(
             Ok(finite) => finite,
             Err(why) => {
                 judgement.note(Verdict::Wrong, format!("{quantity} at step {step} {why}"));
-                return worst;
+                break;
             }
         };
         let entry = digits::digits(quantity, &finite, exact, &scale);
         let verdict = Verdict::on(entry.digits, attainable);
         fewest = fewest.min(entry.digits);
         fewest_attainable = fewest_attainable.min(attainable);
-        let score = Score { quantity, step, worst: entry, attainable, fewest, fewest_attainable, verdict };
+        let place = (entry.row, entry.column);
+        let (theirs, exact) = (finite[place].clone(), exact[place].clone());
+        let score =
+            Score { quantity, step, worst: entry, attainable, fewest, fewest_attainable, theirs, exact, verdict };
         let behind = |score: &Score| score.attainable.value() - score.worst.digits.value();
         if worst.as_ref().is_none_or(|worst| (verdict, behind(&score)) > (worst.verdict, behind(worst))) {
             worst = Some(score);

@@ -1,0 +1,53 @@
+//! How the program ends.
+
+use std::io;
+use std::process::ExitCode;
+
+use crate::protocol::CaseError;
+use crate::report::Report;
+
+/// The exit codes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Exit {
+    /// All agree.
+    Clean = 0,
+    /// Some finding.
+    Findings = 1,
+    /// Usage, input, output.
+    Trouble = 2,
+    /// Nothing wrong, but something undecided.
+    Undecided = 3,
+}
+
+impl From<Exit> for ExitCode {
+    fn from(exit: Exit) -> Self {
+        Self::from(exit as u8)
+    }
+}
+
+impl Exit {
+    pub(super) fn of(report: &Report) -> Self {
+        if !report.findings().is_empty() {
+            Self::Findings
+        } else if report.is_undecided() {
+            Self::Undecided
+        } else {
+            Self::Clean
+        }
+    }
+}
+
+/// Why the program could not do what it was asked for.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Trouble {
+    #[error("{place}: {source}")]
+    Input { place: String, source: io::Error },
+    #[error("{place} holds more than {limit} bytes, the most that is read")]
+    TooLarge { place: String, limit: usize },
+    #[error("{place}: {source}")]
+    Case { place: String, source: CaseError },
+    #[error("{place}: {message}")]
+    Other { place: String, message: String },
+    #[error("cannot write: {0}")]
+    Output(#[from] io::Error),
+}

@@ -1,0 +1,115 @@
+//! Reads cases from files, directories and standard input.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use super::exit::Trouble;
+use crate::judge::suite;
+use crate::protocol::{Case, MAXIMAL_DOCUMENT_BYTES};
+
+/// The text of a file, or of standard input for `-`, of bounded length.
+pub(super) fn text(path: &Path) -> Result<String, Trouble> {
+    let place = path.display().to_string();
+    let input = |source| Trouble::Input { place: place.clone(), source };
+    let mut text = String::new();
+    let most = MAXIMAL_DOCUMENT_BYTES as u64 + 1;
+    let read = if path == Path::new("-") {
+        io::stdin().lock().take(most).read_to_string(&mut text)
+    } else {
+        File::open(path).and_then(|file| file.take(most).read_to_string(&mut text))
+    };
+    if read.map_err(input)? > MAXIMAL_DOCUMENT_BYTES {
+        return Err(Trouble::TooLarge { place, limit: MAXIMAL_DOCUMENT_BYTES });
+    }
+    Ok(text)
+}
+
+/// The cases of a file (one case, or one on each line), of standard input for `-`, or of all files named `*.json` or
+/// `*.jsonl` below a directory, in the order of their names.
+pub(super) fn cases(path: &Path) -> Result<Vec<Case>, Trouble> {
+    let mut files = Vec::new();
+    collect(path, &mut files)?;
+    let mut cases = Vec::new();
+    let mut ids = BTreeSet::new();
+    for file in files {
+        for case in cases_of(&file)? {
+            if !ids.insert(case.id.clone()) {
+                let message = format!("the id {:?} is used twice; answers are told apart by their ids", case.id);
+                return Err(Trouble::Other { place: file.display().to_string(), message });
+            }
+            cases.push(case);
+        }
+    }
+    if cases.is_empty() {
+        return Err(Trouble::Other { place: path.display().to_string(), message: "there is no case in it".into() });
+    }
+    Ok(cases)
+}
+
+fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), Trouble> {
+    if !path.is_dir() {
+        files.push(path.to_owned());
+        return Ok(());
+    }
+    let input = |source| Trouble::Input { place: path.display().to_string(), source };
+    let entries = fs::read_dir(path).map_err(input)?.collect::<Result<Vec<_>, _>>().map_err(input)?;
+    let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
+    paths.sort();
+    for path in paths {
+        let named = path.extension().is_some_and(|extension| extension == "json" || extension == "jsonl");
+        if path.is_dir() || named {
+            collect(&path, files)?;
+        }
+    }
+    Ok(())
+}
+
+fn cases_of(path: &Path) -> Result<Vec<Case>, Trouble> {
+    let text = text(path)?;
+    let place = |line: Option<usize>| match line {
+        Some(line) => format!("{}, line {}", path.display(), line + 1),
+        None => path.display().to_string(),
+    };
+    let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()).peekable();
+    let first = lines.peek().map(|(_, line)| *line);
+    // One case on each line: then the first line is a whole case. Otherwise the file is one.
+    if text.lines().nth(1).is_none() || first.is_none_or(|line| Case::parse(line).is_err()) {
+        let case = Case::parse(&text).map_err(|source| Trouble::Case { place: place(None), source })?;
+        return Ok(vec![case]);
+    }
+    lines
+        .map(|(number, line)| Case::parse(line).map_err(|source| Trouble::Case { place: place(Some(number)), source }))
+        .collect()
+}
+
+/// Which cases a verb works on.
+#[derive(clap::Args, Debug)]
+pub(super) struct Selection {
+    /// A case file, a directory of case files, or `-`; the built-in suite if absent.
+    #[arg(long, value_name = "PATH")]
+    cases: Option<PathBuf>,
+    /// Only cases whose id or flags contain this text (may be repeated).
+    #[arg(long, value_name = "TEXT")]
+    only: Vec<String>,
+}
+
+impl Selection {
+    pub(super) fn cases(&self) -> Result<Vec<Case>, Trouble> {
+        let all = match &self.cases {
+            Some(path) => cases(path)?,
+            None => suite(),
+        };
+        let wanted = |case: &Case| {
+            let matches = |text: &String| case.id.contains(text) || case.flags.iter().any(|flag| flag.contains(text));
+            self.only.is_empty() || self.only.iter().any(matches)
+        };
+        let chosen: Vec<Case> = all.into_iter().filter(wanted).collect();
+        if chosen.is_empty() {
+            let message = format!("no case has an id or a flag with {:?}; `exact-kalman cases` lists them", self.only);
+            return Err(Trouble::Other { place: "--only".into(), message });
+        }
+        Ok(chosen)
+    }
+}

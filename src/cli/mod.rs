@@ -1,0 +1,77 @@
+//! Floor 7 · The program: verbs, files, exit codes.
+//!
+//! stdout is data, stderr is talk. A verb is a file of its own, with its arguments and what it does.
+
+mod cases;
+mod check;
+mod exit;
+mod input;
+mod judge;
+mod solve;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+use exit::{Exit, Trouble};
+
+const EXAMPLES: &str = "\
+Examples:
+  exact-kalman check                                    the built-in f64 filters, side by side
+  exact-kalman check -- python3 my_filter.py            your program, on the whole suite
+  exact-kalman solve examples/cases/nile.json --last    exact answers, correctly rounded
+
+Exit codes: 0 all agree, 1 some finding, 2 trouble (usage, input), 3 nothing wrong but something undecided";
+
+/// The exact reference for Kalman filtering: exact values, and a judge for any program.
+#[derive(Parser, Debug)]
+#[command(name = "exact-kalman", version, about, after_help = EXAMPLES, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand, Debug)]
+enum Verb {
+    Solve(solve::Solve),
+    Check(check::Check),
+    Judge(judge::JudgeAnswers),
+    Cases(cases::ListCases),
+}
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For people.
+    #[default]
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// Runs the program with the given arguments, its name first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Nothing is to be done if even this cannot be printed.
+            let _ = error.print();
+            return if error.use_stderr() { Exit::Trouble.into() } else { Exit::Clean.into() };
+        }
+    };
+    let outcome = match arguments.verb {
+        Verb::Solve(verb) => verb.run(),
+        Verb::Check(verb) => verb.run(),
+        Verb::Judge(verb) => verb.run(),
+        Verb::Cases(verb) => verb.run(),
+    };
+    match outcome {
+        Ok(exit) => exit.into(),
+        // Whoever read the output has seen enough.
+        Err(Trouble::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => Exit::Clean.into(),
+        Err(trouble) => {
+            eprintln!("error: {trouble}");
+            Exit::Trouble.into()
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! `solve`: the exact answer to a case.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use super::Format;
+use super::exit::{Exit, Trouble};
+use super::input;
+use crate::filter::{FractionFreeError, FractionFreeStep, Precision, filter, filter_fraction_free};
+use crate::matrix::Matrix;
+use crate::model::Path;
+use crate::protocol::{Answer, Case, Decimal, Outcome};
+use crate::scalar::Rational;
+use crate::trace::{Record, Values};
+
+const EXAMPLES: &str = "\
+Examples:
+  exact-kalman solve examples/cases/nile.json --last              the last step, 17 digits
+  exact-kalman solve examples/cases/nile.json --last --digits 24
+  exact-kalman solve examples/cases/walk.json --exact             as fractions
+  exact-kalman solve examples/cases/walk.json --trace             every named quantity
+  exact-kalman cases --only basic --format json | exact-kalman solve - --format json";
+
+/// Print the exact answer to cases, correctly rounded
+#[derive(clap::Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Solve {
+    /// A case file (one case, or one on each line), a directory of such files, or `-`.
+    case: PathBuf,
+    /// Significant decimal digits, correctly rounded (halves away from zero).
+    #[arg(long, default_value_t = 17, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    digits: u32,
+    /// Print fractions instead of decimals.
+    #[arg(long, conflicts_with = "digits")]
+    exact: bool,
+    /// Only the last step.
+    #[arg(long)]
+    last: bool,
+    /// Every named quantity, by the readable recursion: also the gain, and the parts of the likelihood.
+    #[arg(long)]
+    trace: bool,
+    /// Text, or one answer of the protocol on each line.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// What is shown of a step.
+struct Shown {
+    values: Values<Rational>,
+    more: Vec<(String, Matrix<Rational>)>,
+}
+
+/// Why there is no answer from some step on.
+struct Stopped {
+    step: usize,
+    reason: String,
+}
+
+impl Solve {
+    pub(super) fn run(self) -> Result<Exit, Trouble> {
+        let mut out = std::io::stdout().lock();
+        let mut exit = Exit::Clean;
+        for case in input::cases(&self.case)? {
+            let path = case.problem().and_then(|problem| problem.realised());
+            let path = path.map_err(|source| Trouble::Case { place: format!("case {:?}", case.id), source })?;
+            let (steps, stopped) = if self.trace { traced(&path) } else { solved(&path) };
+            if let Some(Stopped { step, reason }) = &stopped {
+                eprintln!("{}: at step {step} {reason}", case.id);
+                exit = Exit::Findings;
+            }
+            match self.format {
+                Format::Text => self.write_text(&mut out, &case, &steps)?,
+                Format::Json => writeln!(out, "{}", self.answer(&case, steps, stopped))?,
+            }
+        }
+        Ok(exit)
+    }
+
+    fn number(&self, value: &Rational) -> String {
+        if self.exact { value.to_string() } else { Decimal::rounded(value, self.digits).to_string() }
+    }
+
+    fn write_text(&self, out: &mut impl Write, case: &Case, steps: &[Shown]) -> Result<(), Trouble> {
+        let first = if self.last { steps.len().saturating_sub(1) } else { 0 };
+        for (step, shown) in steps.iter().enumerate().skip(first) {
+            writeln!(out, "{} · step {step}", case.id)?;
+            let named = shown.values.iter().map(|(quantity, matrix)| (quantity.to_string(), matrix));
+            let more = shown.more.iter().map(|(name, matrix)| (name.clone(), matrix));
+            for (name, matrix) in named.chain(more) {
+                writeln!(out, "  {name:34} {}", self.text(matrix))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A number, a column as `[a, b]`, or a matrix as `[[a, b], [c, d]]`.
+    fn text(&self, matrix: &Matrix<Rational>) -> String {
+        let texts = matrix.map(|entry| self.number(entry));
+        match (texts.rows(), texts.columns()) {
+            (1, 1) => texts[(0, 0)].clone(),
+            (_, 1) => format!("[{}]", texts.entries().join(", ")),
+            _ => texts.to_string(),
+        }
+    }
+
+    fn answer(&self, case: &Case, steps: Vec<Shown>, stopped: Option<Stopped>) -> String {
+        let rounded =
+            |value: &Rational| if self.exact { value.clone() } else { Decimal::rounded(value, self.digits).value() };
+        let values = |shown: Shown| -> Values<Rational> {
+            shown.values.into_iter().map(|(quantity, matrix)| (quantity, matrix.map(rounded))).collect()
+        };
+        let mut answer = Answer::answered(&case.id, steps.into_iter().map(values).collect());
+        if let Some(Stopped { step, reason }) = stopped {
+            answer.outcome = Outcome::Flagged;
+            answer.step = Some(step);
+            answer.message = Some(reason);
+        }
+        answer.to_line()
+    }
+}
+
+fn solved(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {
+    let show = |step: FractionFreeStep| Shown { values: step.values, more: Vec::new() };
+    match filter_fraction_free(path, Precision::Exact) {
+        Ok(steps) => (steps.into_iter().map(show).collect(), None),
+        Err(FractionFreeError { step, reason, computed }) => {
+            (computed.into_iter().map(show).collect(), Some(Stopped { step, reason: reason.to_string() }))
+        }
+    }
+}
+
+fn traced(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {
+    let (records, stopped) = match filter(path) {
+        Ok(trace) => (trace.records, None),
+        Err(error) => (error.computed, Some(Stopped { step: error.step, reason: error.source.to_string() })),
+    };
+    (records.iter().map(everything).collect(), stopped)
+}
+
+/// Every named quantity of a record that is not among its values.
+fn everything(record: &Record<Rational>) -> Shown {
+    let number = |value: Rational| Matrix::column(vec![value]);
+    let mut more = Vec::new();
+    let mut add = |name: &str, matrix: Matrix<Rational>| more.push((name.to_owned(), matrix));
+    for (name, moments) in [("predicted", &record.predicted), ("filtered", &record.filtered)] {
+        if let Some(diffuse) = &moments.diffuse {
+            add(&format!("{name} mean, its limit"), moments.mean.clone());
+            add(&format!("{name} covariance of order 1"), moments.covariance.clone());
+            add(&format!("{name} covariance of order kappa"), diffuse.clone());
+        }
+    }
+    if !record.observed.is_empty() {
+        add("predicted observation", record.predicted_observation.clone());
+        add("cross covariance", record.cross_covariance.clone());
+        if record.predicted.diffuse.is_some() {
+            add("gain, its limit", record.gain.clone());
+        }
+        if let Some(diffuse) = &record.innovation_diffuse {
+            add("innovation covariance of order kappa", diffuse.clone());
+        }
+        add("rank of the innovation covariance", number(Rational::from_integer(record.innovation_rank.into())));
+        if let Some(likelihood) = &record.likelihood {
+            add("likelihood: quadratic form", number(likelihood.quadratic.clone()));
+            add("likelihood: pseudo-determinant", number(likelihood.pseudo_determinant.clone()));
+        }
+    }
+    Shown { values: record.values(), more }
+}

@@ -1,0 +1,7 @@
+//! The program `exact-kalman`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    exact_kalman::cli::run(std::env::args_os())
+}

@@ -1,0 +1,63 @@
+//! Reports for programs.
+
+use serde_json::{Value, json as object};
+
+use super::Report;
+use crate::judge::{Judgement, Score};
+use crate::protocol::{Case, Decimal};
+
+/// One object per examinee: counts by verdict, and for each case the verdict, its reasons and the digits.
+pub fn json(report: &Report) -> Value {
+    let counts: serde_json::Map<String, Value> =
+        report.counts().into_iter().map(|(verdict, count)| (verdict.to_owned(), count.into())).collect();
+    object!({
+        "format": "exact-kalman/report/1",
+        "examinee": report.examinee,
+        "counts": counts,
+        "remarks": report.remarks,
+        "cases": report.results.iter().map(|(case, judgement)| result(case, judgement)).collect::<Vec<_>>(),
+    })
+}
+
+fn result(case: &Case, judgement: &Judgement) -> Value {
+    let indefinite = judgement.indefinite.as_ref().map(|(quantity, step, found)| {
+        object!({
+            "quantity": quantity.name(),
+            "step": step,
+            "beyond_rounding": found.beyond_rounding,
+            "witness": found.proof.witness.entries().iter().map(ToString::to_string).collect::<Vec<_>>(),
+        })
+    });
+    let asymmetric =
+        judgement.asymmetric.map(|(quantity, step)| object!({ "quantity": quantity.name(), "step": step }));
+    object!({
+        "id": case.id,
+        "flags": case.flags,
+        "verdict": judgement.verdict.name(),
+        "remarks": judgement.remarks,
+        "scores": judgement.scores.iter().map(score).collect::<Vec<_>>(),
+        "not_psd": indefinite,
+        "asymmetric": asymmetric,
+    })
+}
+
+fn score(score: &Score) -> Value {
+    object!({
+        "quantity": score.quantity.name(),
+        "verdict": score.verdict.name(),
+        "step": score.step,
+        "row": score.worst.row,
+        "column": score.worst.column,
+        "digits": tenths(score.worst.digits.value()),
+        "attainable": tenths(score.attainable.value()),
+        "fewest_digits": tenths(score.fewest.value()),
+        "fewest_attainable": tenths(score.fewest_attainable.value()),
+        "answered": Decimal::rounded(&score.theirs, 17).to_string(),
+        "exact": Decimal::rounded(&score.exact, 17).to_string(),
+    })
+}
+
+/// Digits to one place, rounded down like everywhere.
+fn tenths(digits: f64) -> f64 {
+    (digits * 10.0).floor() / 10.0
+}

@@ -1,0 +1,63 @@
+//! Floor 6 · Judgements for people and for programs.
+//!
+//! A [`Report`] collects the judgements on one examinee. It is shown as text ([`text`]), several of them side by
+//! side ([`side_by_side`]), or as JSON ([`json`]). Nothing is judged here, and the same judgements give the same
+//! bytes: no clock, no order but that of the cases.
+
+mod comparison;
+mod json;
+mod text;
+
+use std::collections::BTreeMap;
+
+pub use comparison::side_by_side;
+pub use json::json;
+pub use text::text;
+
+use crate::judge::{Judgement, Verdict};
+use crate::protocol::Case;
+
+/// The judgements on one examinee, in the order of the cases.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The name of the examinee.
+    pub examinee: String,
+    /// The cases with their judgements.
+    pub results: Vec<(Case, Judgement)>,
+    /// What is to be said of the whole run, such as stray lines.
+    pub remarks: Vec<String>,
+}
+
+impl Report {
+    /// A report without judgements.
+    pub fn new(examinee: impl Into<String>) -> Self {
+        Self { examinee: examinee.into(), results: Vec::new(), remarks: Vec::new() }
+    }
+
+    /// How many cases came to which verdict, best verdict first.
+    pub fn counts(&self) -> Vec<(&'static str, usize)> {
+        let mut counts: BTreeMap<Verdict, usize> = BTreeMap::new();
+        for (_, judgement) in &self.results {
+            // All losses count as one, however many digits.
+            let verdict = match judgement.verdict {
+                Verdict::Loses { .. } => Verdict::Loses { digits: 0 },
+                other => other,
+            };
+            *counts.entry(verdict).or_default() += 1;
+        }
+        counts.into_iter().map(|(verdict, count)| (verdict.name(), count)).collect()
+    }
+
+    /// The results that are findings, worst first.
+    pub fn findings(&self) -> Vec<&(Case, Judgement)> {
+        let mut findings: Vec<_> =
+            self.results.iter().filter(|(_, judgement)| judgement.verdict.is_finding()).collect();
+        findings.sort_by_key(|(_, judgement)| std::cmp::Reverse(judgement.verdict));
+        findings
+    }
+
+    /// Whether some case could not be decided.
+    pub fn is_undecided(&self) -> bool {
+        self.results.iter().any(|(_, judgement)| judgement.verdict == Verdict::Undecided)
+    }
+}
