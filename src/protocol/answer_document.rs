@@ -192,7 +192,15 @@ impl<'de> Visitor<'de> for LeafVisitor {
         Ok(Leaf::Text(text))
     }
 
-    /// serde_json presents a number of arbitrary precision as a map.
+    fn visit_u64<E: Error>(self, number: u64) -> Result<Leaf, E> {
+        Ok(Leaf::Json(number.to_string()))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<Leaf, E> {
+        Ok(Leaf::Json(number.to_string()))
+    }
+
+    /// serde_json presents a number that is no machine integer as a map.
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Leaf, A::Error> {
         match serde_json::Number::deserialize(MapAccessDeserializer::new(map)) {
             Ok(number) => Ok(Leaf::Json(number.as_str().to_owned())),
