@@ -9,7 +9,6 @@ use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
 use super::answer_number::AnswerNumber;
-use super::document::present;
 use super::fault::{Fault, FaultKind, indexed};
 use super::{Answer, AnswerError, Number, Numbers, Outcome};
 use crate::matrix::Matrix;
@@ -22,9 +21,9 @@ pub(super) struct AnswerDocument {
     pub(super) outcome: Outcome,
     #[serde(default, skip_serializing_if = "is_default")]
     pub(super) numbers: Numbers,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) step: Option<usize>,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) message: Option<String>,
     #[serde(default)]
     pub(super) steps: Vec<StepDocument>,

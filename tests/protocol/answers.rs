@@ -1,5 +1,7 @@
 //! Answers: what their numbers mean, and what is refused.
 
+use std::slice::from_ref;
+
 use exact_kalman::matrix::Matrix;
 use exact_kalman::protocol::{Answer, Number, Outcome};
 use exact_kalman::scalar::{Rational, exact_value, ratio};
@@ -58,7 +60,7 @@ fn every_quantity_has_its_key() {
         let value = if quantity.is_vector() { "[\"1\",\"2\"]" } else { "[[\"1\",\"2\"],[\"3\",\"4\"]]" };
         let answer = Answer::parse(&step(&format!("\"{}\":{value}", quantity.name()))).unwrap();
         let matrix = &answer.steps[1][&quantity];
-        let column = if quantity.is_vector() { 0 } else { 1 };
+        let column = usize::from(!quantity.is_vector());
         assert_eq!((matrix.rows(), &matrix[(0, 0)]), (2, &Number::Finite(ratio(1, 1))));
         let expected = if quantity.is_vector() { 2 } else { 4 };
         assert_eq!(matrix[(1, column)], Number::Finite(ratio(expected, 1)));
@@ -124,9 +126,9 @@ proptest! {
     #[test]
     fn fractions_come_back(n in any::<i64>(), d in 1..=i64::MAX) {
         let value = Rational::new(n.into(), d.into());
-        let line = Answer::answered("x", vec![values(&[value.clone()], &[value.clone()])]).to_line();
+        let line = Answer::answered("x", vec![values(from_ref(&value), from_ref(&value))]).to_line();
         prop_assert!(line.contains("\"numbers\":\"exact\""));
         let value = Number::Finite(value);
-        prop_assert_eq!(&Answer::parse(&line).unwrap().steps[0], &values(&[value.clone()], &[value]));
+        prop_assert_eq!(&Answer::parse(&line).unwrap().steps[0], &values(from_ref(&value), from_ref(&value)));
     }
 }

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 /// A valid case with one of everything; two states, one sensor, three readings.
-pub fn full() -> Value {
+pub(crate) fn full() -> Value {
     json!({
         "format": "exact-kalman/case/1",
         "id": "sample/full",
@@ -25,7 +25,7 @@ pub fn full() -> Value {
 }
 
 /// A random walk: one state, one sensor, two readings.
-pub fn walk() -> Value {
+pub(crate) fn walk() -> Value {
     json!({
         "format": "exact-kalman/case/1", "id": "walk", "timing": "departing",
         "initial": {"before": "observation", "mean": ["0"], "covariance": [["1"]]},
@@ -36,7 +36,7 @@ pub fn walk() -> Value {
 }
 
 /// The sample with the value at a JSON pointer replaced; a key that is not there is added.
-pub fn with(mut sample: Value, pointer: &str, value: Value) -> Value {
+pub(crate) fn with(mut sample: Value, pointer: &str, value: Value) -> Value {
     if let Some(place) = sample.pointer_mut(pointer) {
         *place = value;
         return sample;

@@ -90,7 +90,7 @@ fn a_dying_subject_tells_its_last_words() {
 
 #[test]
 fn standard_error_is_read_and_only_its_end_is_kept() {
-    let mut subject = shell(r#"head -c 3000000 /dev/zero | tr '\0' x >&2; echo end >&2; read -r line; exit 1"#);
+    let mut subject = shell(r"head -c 3000000 /dev/zero | tr '\0' x >&2; echo end >&2; read -r line; exit 1");
     let Reply::Died { stderr, .. } = ask(&mut subject, "a") else { panic!("died") };
     assert!(stderr.len() == 4096 && stderr.ends_with("xend\n"), "{}", stderr.len());
 }
@@ -153,6 +153,13 @@ fn stray_lines_are_counted_and_the_first_are_kept() {
     let strays = subject.strays();
     assert_eq!(strays.count, 17);
     assert_eq!(strays.first, ["banner: v1.0", "debug 1", "debug 2", "debug 3", "debug 4"]);
+}
+
+#[test]
+fn a_byte_order_mark_and_carriage_returns_do_not_matter() {
+    let mut subject = shell(r#"read -r line; printf '\357\273\277{"id":"a","outcome":"answered"}\r\n'; sleep 1000"#);
+    assert!(is_answer(&ask(&mut subject, "a"), "a"));
+    assert_eq!(subject.strays().count, 0);
 }
 
 #[test]
@@ -219,7 +226,7 @@ fn a_subject_that_never_reads_does_not_block_us() {
         assert!(start.elapsed() < BOUND);
     }
     // One that answers without reading is let go on, and one that closes its input as well.
-    let answers = r#"answer a; answer a; answer a; sleep 1000"#;
+    let answers = "answer a; answer a; answer a; sleep 1000";
     for script in [answers.to_owned(), format!("exec 0<&-; {answers}")] {
         let mut subject = shell(&script);
         assert!(matches!(subject.ask("a", &long), Reply::Answer(_)));
