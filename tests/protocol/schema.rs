@@ -89,6 +89,8 @@ fn cases() {
         ("/transition", json!([["1"], null])),
         ("/transition", json!([["1"], [["1"]]])),
         ("/transition", json!([[null]])),
+        ("/transition", json!([[[]], ["1"]])),
+        ("/input/vector", json!([[], "1"])),
         ("/transition", json!([1])),
         ("/input/vector", json!(["1", ["1"]])),
         ("/input/vector", json!(["1", null])),

@@ -35,6 +35,11 @@ fn is_answer(reply: &Reply, to: &str) -> bool {
     matches!(reply, Reply::Answer(answer) if answer.id == to)
 }
 
+/// A time to sleep that no other test and no other run of this one asks for.
+fn marker(test: u32) -> String {
+    format!("1000.{test}{:07}", std::process::id())
+}
+
 /// Whether a process with this word on its command line runs.
 fn runs(word: &str) -> bool {
     let Ok(entries) = std::fs::read_dir("/proc") else { return false };
@@ -65,12 +70,13 @@ fn a_good_subject_runs_once() {
 
 #[test]
 fn a_hanging_subject_times_out_and_is_started_again() {
-    let mut subject = shell(
-        r#"while read -r line; do id=$(id_of "$line"); if [ "$id" = hang ]; then sleep 1000.125; fi; answer "$id"; done"#,
-    );
+    let nap = marker(1);
+    let mut subject = shell(&format!(
+        r#"while read -r line; do id=$(id_of "$line"); if [ "$id" = hang ]; then sleep {nap}; fi; answer "$id"; done"#,
+    ));
     assert!(is_answer(&ask(&mut subject, "a"), "a"));
     assert_eq!(ask(&mut subject, "hang"), Reply::TimedOut { limit: LIMITS.case_time });
-    assert!(is_gone("1000.125"), "the sleeping child of the killed subject still runs");
+    assert!(is_gone(&nap), "the sleeping child of the killed subject still runs");
     assert!(is_answer(&ask(&mut subject, "b"), "b"));
     assert_eq!(subject.starts(), 2);
 }
@@ -239,31 +245,35 @@ fn a_subject_that_never_reads_does_not_block_us() {
 
 #[test]
 fn a_grandchild_that_holds_the_output_does_not_hold_us() {
-    let mut subject = shell("sleep 1000.25 & read -r line; exit 7");
+    let nap = marker(2);
+    let mut subject = shell(&format!("sleep {nap} & read -r line; exit 7"));
     let start = Instant::now();
     let Reply::Died { status, .. } = ask(&mut subject, "a") else { panic!("died") };
     assert!(status.contains('7'), "{status}");
     assert!(start.elapsed() < LIMITS.case_time, "noticed by the death of the child, not by the clock");
-    assert!(is_gone("1000.25"), "the grandchild still runs");
+    assert!(is_gone(&nap), "the grandchild still runs");
 }
 
 #[test]
 fn a_subject_that_closes_its_output_and_stays_is_ended() {
-    let mut subject = shell("exec 1>&-; sleep 1000.375");
+    let nap = marker(3);
+    let mut subject = shell(&format!("exec 1>&-; sleep {nap}"));
     let Reply::Died { status, .. } = ask(&mut subject, "a") else { panic!("died") };
     assert!(status.contains("closed its standard output"), "{status}");
-    assert!(is_gone("1000.375"));
+    assert!(is_gone(&nap));
 }
 
 #[test]
 fn dropping_ends_the_whole_group() {
-    let mut subject = shell(r#"sleep 1000.5 & while read -r line; do answer "$(id_of "$line")"; done; wait"#);
+    let nap = marker(4);
+    let script = r#"while read -r line; do answer "$(id_of "$line")"; done; wait"#;
+    let mut subject = shell(&format!("sleep {nap} & {script}"));
     assert!(is_answer(&ask(&mut subject, "a"), "a"));
-    assert!(runs("1000.5"));
+    assert!(runs(&nap));
     let start = Instant::now();
     drop(subject);
     assert!(start.elapsed() < Duration::from_secs(3));
-    assert!(is_gone("1000.5"));
+    assert!(is_gone(&nap));
 }
 
 #[test]
