@@ -103,8 +103,10 @@ fn standard_error_is_read_and_only_its_end_is_kept() {
 
 #[test]
 fn a_subject_that_is_over_at_once_died() {
-    let reply = ask(&mut shell("exit 0"), "a");
+    let mut subject = shell("exit 0");
+    let reply = ask(&mut subject, "a");
     assert!(matches!(&reply, Reply::Died { status, .. } if status.contains('0')), "{reply}");
+    assert_eq!(subject.starts(), 1, "it answered nothing before, so it is not asked again");
 }
 
 #[test]
