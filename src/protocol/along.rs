@@ -6,7 +6,7 @@ use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visi
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use super::entry::number_refused;
+use super::entry::{bare_number, number_refused};
 use crate::matrix::Matrix;
 use crate::scalar::Rational;
 
@@ -201,6 +201,14 @@ impl<'de> Visitor<'de> for Place<'_> {
             list.push(item);
         }
         Ok(Tree::List(list))
+    }
+
+    fn visit_u64<E: Error>(self, number: u64) -> Result<Tree, E> {
+        Err(bare_number(&number.to_string()))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<Tree, E> {
+        Err(bare_number(&number.to_string()))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Tree, A::Error> {

@@ -9,7 +9,6 @@ use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
 use super::answer_number::AnswerNumber;
-use super::document::present;
 use super::fault::{Fault, FaultKind, indexed};
 use super::{Answer, AnswerError, Number, Numbers, Outcome};
 use crate::matrix::Matrix;
@@ -22,9 +21,9 @@ pub(super) struct AnswerDocument {
     pub(super) outcome: Outcome,
     #[serde(default, skip_serializing_if = "is_default")]
     pub(super) numbers: Numbers,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) step: Option<usize>,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) message: Option<String>,
     #[serde(default)]
     pub(super) steps: Vec<StepDocument>,
@@ -192,7 +191,15 @@ impl<'de> Visitor<'de> for LeafVisitor {
         Ok(Leaf::Text(text))
     }
 
-    /// serde_json presents a number of arbitrary precision as a map.
+    fn visit_u64<E: Error>(self, number: u64) -> Result<Leaf, E> {
+        Ok(Leaf::Json(number.to_string()))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<Leaf, E> {
+        Ok(Leaf::Json(number.to_string()))
+    }
+
+    /// serde_json presents a number that is no machine integer as a map.
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Leaf, A::Error> {
         match serde_json::Number::deserialize(MapAccessDeserializer::new(map)) {
             Ok(number) => Ok(Leaf::Json(number.as_str().to_owned())),

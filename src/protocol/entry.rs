@@ -74,19 +74,29 @@ impl<'de> Visitor<'de> for EntryVisitor {
         Ok(Entry(text))
     }
 
+    fn visit_u64<E: Error>(self, number: u64) -> Result<Entry, E> {
+        Err(bare_number(&number.to_string()))
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<Entry, E> {
+        Err(bare_number(&number.to_string()))
+    }
+
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Entry, A::Error> {
         Err(number_refused(map, &self))
     }
 }
 
-/// The error for a bare number where a string must stand; serde_json presents a number of arbitrary precision
-/// as a map.
+/// The error for a bare number where a string must stand.
+pub(super) fn bare_number<E: Error>(number: &str) -> E {
+    let text: String = number.chars().take(60).collect();
+    E::custom(format_args!("the JSON number {text}: numbers travel as strings, write \"{text}\""))
+}
+
+/// The same for what looks like a map: serde_json presents a number that is no machine integer as one.
 pub(super) fn number_refused<'de, A: MapAccess<'de>>(map: A, expected: &dyn serde::de::Expected) -> A::Error {
     match serde_json::Number::deserialize(MapAccessDeserializer::new(map)) {
-        Ok(number) => {
-            let text: String = number.as_str().chars().take(60).collect();
-            A::Error::custom(format_args!("the JSON number {text}: numbers travel as strings, write \"{text}\""))
-        }
+        Ok(number) => bare_number(number.as_str()),
         Err(_) => A::Error::invalid_type(Unexpected::Map, expected),
     }
 }

@@ -1,0 +1,16 @@
+//! The protocol: what is read, what is refused, and what a subject may do to us.
+#![cfg(feature = "judge")]
+
+mod answers;
+mod bad_input;
+mod cases;
+mod decimals;
+mod mutation;
+mod numbers;
+mod page;
+mod samples;
+mod schema;
+#[cfg(target_os = "linux")]
+mod subjects;
+#[cfg(target_os = "linux")]
+mod textbook;
