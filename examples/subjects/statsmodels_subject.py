@@ -80,13 +80,14 @@ def answer(case):
     early = 1 if case.before_transition else 0
     kalman = model(case, early)
     result = kalman.filter()
-    diffuse = result.predicted_diffuse_state_cov
+    # What statsmodels itself counts as diffuse; its diffuse covariances keep rounding errors of 1e-18.
+    diffuse = result.nobs_diffuse
     for t in range(early, early + case.count):
         step = {}
-        if diffuse is None or not diffuse[:, :, t + 1].any():
+        if t >= diffuse - 1:
             step["filtered_mean"] = result.filtered_state[:, t]
             step["filtered_covariance"] = result.filtered_state_cov[:, :, t]
-        if diffuse is None or not diffuse[:, :, t].any():
+        if t >= diffuse:
             step["predicted_mean"] = result.predicted_state[:, t]
             step["predicted_covariance"] = result.predicted_state_cov[:, :, t]
         case.steps.append(step)
