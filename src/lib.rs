@@ -1,4 +1,56 @@
-//! The exact reference for Kalman filtering.
+//! The exact reference for Kalman filtering: exact values, a judge for any program, an oracle for tests.
+//!
+//! Every equation is evaluated over the rationals: no rounding, no tolerance. Beside the exact core stand `f64`
+//! filters that do not know it, and a judge that counts how many of their digits are right, how many could be, and
+//! says where and why they are not.
+//!
+//! # The house
+//!
+//! A room imports only from lower floors; rooms of one floor do not know each other. A test keeps it so.
+//!
+//! | floor | room | holds |
+//! |---|---|---|
+//! | 0 | [`scalar`] | numbers, and what each can decide |
+//! | 1 | [`matrix`] | dense algebra: fraction-free elimination, pseudo-inverse, LDLᵀ, Loewner order |
+//! | 2 | [`gaussian`] | Gaussian laws: affine images, conditioning |
+//! | 2 | [`model`] | state space systems, their realisation along data, and what can be wrong with them |
+//! | 2 | [`trace`] | the named quantities of each step |
+//! | 3 | [`filter`] | the filter by three exact routes, and the diffuse start |
+//! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
+//! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
+//! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |
+//! | 6 | `report` | judgements as text and JSON (feature `cli`) |
+//! | 7 | `cli` | the program `exact-kalman` (feature `cli`) |
+//!
+//! With `default-features = false` the library is floors 0 to 3 without `float` and `protocol`. The equations, with
+//! their sources, their errata and the items that implement them, are in [`spec`].
+//!
+//! # A first example
+//!
+//! A random walk read twice; every number is a fraction, and equal means equal:
+//!
+//! ```
+//! use exact_kalman::filter::filter;
+//! use exact_kalman::matrix::Matrix;
+//! use exact_kalman::model::{Before, Initial, Noise, Observation, System, Timing};
+//! use exact_kalman::scalar::{ratio, Rational};
+//!
+//! let one = Matrix::<Rational>::identity(1);
+//! let walk = System {
+//!     timing: Timing::Departing,
+//!     initial: Initial::new(Before::Observation, Matrix::zeros(1, 1), one.clone()),
+//!     transition: one.clone().into(),
+//!     observation: one.clone().into(),
+//!     noise: Noise::Covariances { process: one.clone().into(), cross: None, observation: one.into() },
+//!     input: None,
+//!     observation_input: None,
+//! };
+//! let readings = [1, 3].map(|y| Observation::complete([ratio(y, 1)]));
+//! let trace = filter(&walk.realised(&readings)?)?;
+//! assert_eq!(trace.records[1].filtered.mean[(0, 0)], ratio(2, 1));
+//! assert_eq!(trace.records[1].filtered.covariance[(0, 0)], ratio(3, 5));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 #[cfg(feature = "cli")]
 pub mod cli;
@@ -16,3 +68,6 @@ pub mod protocol;
 pub mod report;
 pub mod scalar;
 pub mod trace;
+
+#[doc = include_str!("../SPEC.md")]
+pub mod spec {}

@@ -17,7 +17,7 @@ pub struct OneShot<S> {
 
 /// The conditional laws of all states by conditioning the joint Gaussian of the initial state and all noises.
 ///
-/// Every x_k and y_k is an affine image of (x_0, w_1, …, w_T) (CKS-1); their joint law follows by CKS-L2i and is
+/// Every x_k and y_k is an affine image of (x_0, w_1, …, w_T) (CKS-1a, CKS-1b); their joint law follows by CKS-L2i and is
 /// conditioned by CKS-L3i, for each k on its own. Nothing recursive is involved. The cost grows with the third
 /// power of T: this is for checking, not for use.
 ///

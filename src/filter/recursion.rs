@@ -155,7 +155,9 @@ impl<S: Scalar> Recursion<S> {
     }
 }
 
-/// `x ↦ A x + B u`, `P ↦ A P Aᵀ + D Dᵀ` (CKS-8, CKS-R).
+/// CKS-8: `E(x(t+1) | Y(t)) = A(t)E(x(t) | Y(t)) + B(t)u(t)`
+///
+/// CKS-R: `R(t) = A(t)P(t)Aᵀ(t) + D(t)Dᵀ(t)`
 pub(super) fn propagated<S: Scalar>(state: &Moments<S>, transition: &Transition<S>) -> Moments<S> {
     let a = &transition.matrix;
     Moments {
@@ -165,9 +167,11 @@ pub(super) fn propagated<S: Scalar>(state: &Moments<S>, transition: &Transition<
     }
 }
 
-/// The next state given y_k, when the transition departs from k and shares its noise with y_k:
-/// `x⁺ = A x⁻ + B u + (A Γ + DFᵀ) S⁺ ν` and `P⁺ = A P⁻ Aᵀ + DDᵀ − (A Γ + DFᵀ) S⁺ (A Γ + DFᵀ)ᵀ`, where
-/// `Γ = P⁻Cᵀ`.
+/// The next state given y_k, when the transition departs from k and shares its noise with y_k; Γ = P⁻Cᵀ.
+///
+/// HV-3: `x⁺ = A x⁻ + B u + (A Γ + DFᵀ) S⁺ ν`
+///
+/// Its covariance is `P⁺ = A P⁻ Aᵀ + DDᵀ − (A Γ + DFᵀ) S⁺ (A Γ + DFᵀ)ᵀ`.
 fn departed<S: Scalar>(
     record: &Record<S>,
     pseudo_inverse: &Matrix<S>,

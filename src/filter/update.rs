@@ -48,7 +48,9 @@ impl<S: Scalar> Sensors<S> {
     }
 
     /// cov(x, y) and cov(y, y) for a state of covariance `p` whose noise has covariance `shared` with that
-    /// of y: `P Cᵀ + DFᵀ` and `C P Cᵀ + FFᵀ + C DFᵀ + FDᵀ Cᵀ`.
+    /// of y: `P Cᵀ + DFᵀ` and `C P Cᵀ + FFᵀ + C DFᵀ + FDᵀ Cᵀ`. With P = R(t) the latter is
+    ///
+    /// CKS-7: `P_yy|z = C A P Aᵀ Cᵀ + (F + C D)(F + C D)ᵀ`
     pub(super) fn covariances(&self, p: &Matrix<S>, shared: &Matrix<S>) -> (Matrix<S>, Matrix<S>) {
         let c = &self.matrix;
         let cross = p * c.transpose() + shared;

@@ -5,7 +5,7 @@
 //! Loewner order. Holds no probability and no model.
 //!
 //! What may be asked depends on the scalar: products and elimination need a
-//! [`Scalar`](crate::scalar::Scalar) and may answer *undecided*, rank and kernel need a
+//! [`Scalar`] and may answer *undecided*, rank and kernel need a
 //! [`Field`](crate::scalar::Field), definiteness an [`OrderedField`](crate::scalar::OrderedField).
 //!
 //! Shapes are checked once, where data enter (the model, the protocol). The operators here assert them

@@ -5,11 +5,6 @@
 //! (shapes, symmetry, definiteness, each with a witness) and returns a [`Path`]: what filters work on.
 //! Holds no filter.
 //!
-//! ```text
-//! CKS-1a: x(t+1) = A(t)x(t) + B(t)u(t) + D(t)w(t+1)
-//! CKS-1b: y(t) = C(t−1)x(t) + G(t−1)v(t−1) + F(t−1)w(t)
-//! ```
-//!
 //! **Index rule.** k counts observations, from 0; the observation matrix, its noise and its input with index k
 //! belong to y_k. What a transition with index k does is said by [`Timing`].
 //!

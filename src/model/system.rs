@@ -46,6 +46,10 @@ pub struct Input<S> {
 
 /// The system CKS (1) in either timing.
 ///
+/// CKS-1a: `x(t+1) = A(t)x(t) + B(t)u(t) + D(t)w(t+1)`
+///
+/// CKS-1b: `y(t) = C(t−1)x(t) + G(t−1)v(t−1) + F(t−1)w(t)`
+///
 /// The fields are a description and nothing is checked here; [`System::realised`] checks it all.
 ///
 /// # Examples

@@ -9,7 +9,7 @@ use super::systems::{Draw, Kind, draws};
 
 const KIND: Kind = Kind { states: 4, sensors: 3, steps: 4, adapted: true, gaps: true };
 
-/// CKS-T, CKS-3, CKS-4, CKS-K, CKS-R; HV-3 for d = 1; at least a third of the systems have a singular innovation.
+/// CKS-T, CKS-3, CKS-4, CKS-8, CKS-K, CKS-R; HV-3 for d = 1; at least a third of the systems have a singular innovation.
 #[test]
 fn filter_eq_one_shot_conditioning() -> Result<(), Box<dyn std::error::Error>> {
     let mut runner = TestRunner::new(Config { cases: 3000, failure_persistence: None, ..Config::default() });

@@ -1,7 +1,7 @@
 //! Random systems with data that they can really produce.
 //!
 //! Every number comes off a tape of small integers, so proptest shrinks a failure to a system of mostly zeros.
-//! The data are simulated here, step by step from CKS (1), without any code of the crate but the matrices.
+//! The data are simulated here, step by step from CKS-1a and CKS-1b, without any code of the crate but the matrices.
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Coefficient, Initial, Input, Noise, Observation, Past, System, Timing};
