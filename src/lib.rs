@@ -71,3 +71,7 @@ pub mod trace;
 
 #[doc = include_str!("../SPEC.md")]
 pub mod spec {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub mod readme {}
