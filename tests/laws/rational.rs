@@ -55,11 +55,11 @@ fn holds(triple: Triple) -> bool {
 #[test]
 fn random_fractions_obey_the_laws_and_agree_with_num_rational() {
     MET.set((0, 0, 0));
-    let passed = QuickCheck::new().tests(6_000).quicktest(holds as fn(Triple) -> bool).ok();
-    assert_eq!(passed, Some(6_000));
+    let passed = QuickCheck::new().tests(3_000).quicktest(holds as fn(Triple) -> bool).ok();
+    assert_eq!(passed, Some(3_000));
     let (equal, reduced, longest) = MET.get();
-    assert!(equal >= 500, "only {equal} pairs over one denominator");
-    assert!(reduced >= 300, "only {reduced} sums with a factor to cancel");
+    assert!(equal >= 250, "only {equal} pairs over one denominator");
+    assert!(reduced >= 150, "only {reduced} sums with a factor to cancel");
     assert!(longest >= 1000, "no long number: {longest} bits at most");
 }
 
