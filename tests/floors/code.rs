@@ -52,7 +52,7 @@ fn without_comments_and_texts(source: &str) -> String {
                 }
             }
             ('r', '"' | '#') if i == 0 || !is_word(at(i - 1)) => {
-                let hashes = (i + 1..).take_while(|&k| at(k) == '#').count();
+                let hashes = (i + 1..letters.len()).take_while(|&k| at(k) == '#').count();
                 if at(i + 1 + hashes) == '"' {
                     i += 2 + hashes;
                     while i < letters.len() && !(at(i) == '"' && (1..=hashes).all(|k| at(i + k) == '#')) {

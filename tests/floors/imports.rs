@@ -49,13 +49,15 @@ fn heads_of_group(group: &str) -> Vec<String> {
 
 #[test]
 fn comments_and_texts_are_no_imports() {
-    let source = r##"
+    let source = r#"
         //! [`crate::filter`]
         /* crate::judge /* nested */ crate::cli */
         const A: &str = "crate::report \" crate::cli";
-        const B: &str = r#"crate::"protocol""#;
+        const B: &str = r"crate::protocol";
         const C: [char; 2] = ['"', '\''];
         fn f<'a>(x: &'a crate::model::Path<u8>) {} // crate::float
-    "##;
+    "#;
     assert_eq!(rooms_named(source, 1), BTreeSet::from(["model".to_owned()]));
+    let raw = "const B: &str = r#\"crate::\"protocol\"\"#; use crate::trace::Trace;";
+    assert_eq!(rooms_named(raw, 1), BTreeSet::from(["trace".to_owned()]));
 }

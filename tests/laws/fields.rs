@@ -1,6 +1,7 @@
 //! The laws on fields of residues: every triple of a small one, random triples of the large one.
 
 use exact_kalman::scalar::{Mersenne61, Rational, Residue, Scalar, laws, ratio};
+use num_integer::Integer;
 use quickcheck::{QuickCheck, TestResult};
 
 /// Checks every triple; how many there are.
@@ -81,7 +82,7 @@ fn images_of_fractions_solve_their_equation() {
         TestResult::from_bool(small && large)
     }
     fn integer(value: &num_bigint::BigInt) -> Residue<7> {
-        let residue: num_bigint::BigInt = ((value % 7) + 7) % 7;
+        let residue = value.mod_floor(&7.into());
         Residue::new(u64::try_from(residue).unwrap_or(u64::MAX))
     }
     let passed = QuickCheck::new().tests(5_000).quicktest(holds as fn(i64, i64) -> TestResult).ok();

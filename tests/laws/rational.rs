@@ -40,6 +40,7 @@ thread_local! {
     static MET: Cell<(u32, u32, u64)> = const { Cell::new((0, 0, 0)) };
 }
 
+#[expect(clippy::needless_pass_by_value, reason = "quickcheck hands its values over")]
 fn holds(triple: Triple) -> bool {
     let Triple(a, b, c) = &triple;
     let (mut equal, mut reduced, mut longest) = MET.get();
