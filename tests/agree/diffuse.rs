@@ -9,7 +9,8 @@ use exact_kalman::trace::{Moments, Trace};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-use super::systems::{Draw, Kind, Q, draws};
+use super::draws::draws;
+use super::systems::{Draw, Kind, Q};
 
 const KIND: Kind = Kind { states: 3, sensors: 2, steps: 4, adapted: true, gaps: true };
 

@@ -5,7 +5,8 @@ use exact_kalman::scalar::{Rational, Scalar, ratio};
 use exact_kalman::trace::{Quantity, Values};
 use proptest::prelude::*;
 
-use super::systems::{Kind, draws};
+use super::draws::draws;
+use super::systems::Kind;
 
 const KIND: Kind = Kind { states: 4, sensors: 3, steps: 6, adapted: true, gaps: true };
 

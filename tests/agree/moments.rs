@@ -10,7 +10,8 @@ use exact_kalman::scalar::{Rational, Scalar, ratio};
 use exact_kalman::trace::Moments;
 use proptest::prelude::*;
 
-use super::systems::{Draw, Kind, Q, draws};
+use super::draws::draws;
+use super::systems::{Draw, Kind, Q};
 
 const KIND: Kind = Kind { states: 2, sensors: 2, steps: 3, adapted: false, gaps: true };
 

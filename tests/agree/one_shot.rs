@@ -5,7 +5,8 @@ use exact_kalman::scalar::Rational;
 use exact_kalman::trace::{Moments, Trace};
 use proptest::test_runner::{Config, TestCaseError, TestRunner};
 
-use super::systems::{Draw, Kind, draws};
+use super::draws::draws;
+use super::systems::{Draw, Kind};
 
 const KIND: Kind = Kind { states: 4, sensors: 3, steps: 4, adapted: true, gaps: true };
 

@@ -5,7 +5,8 @@ use exact_kalman::scalar::{Mersenne61, Rational};
 use exact_kalman::trace::Quantity;
 use proptest::prelude::*;
 
-use super::systems::{Kind, draws};
+use super::draws::draws;
+use super::systems::Kind;
 
 const KIND: Kind = Kind { states: 4, sensors: 3, steps: 4, adapted: true, gaps: true };
 

@@ -1,13 +1,11 @@
 //! Random systems with data that they can really produce.
 //!
-//! Every number comes off a tape of small integers, so proptest shrinks a failure to a system of mostly zeros.
+//! Every number comes off a tape of small integers, so a failure shrinks to a system of mostly zeros.
 //! The data are simulated here, step by step from CKS-1a and CKS-1b, without any code of the crate but the matrices.
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Coefficient, Initial, Input, Noise, Observation, Past, System, Timing};
 use exact_kalman::scalar::{Rational, ratio};
-use proptest::collection::vec;
-use proptest::prelude::*;
 
 pub type Q = Matrix<Rational>;
 
@@ -108,11 +106,8 @@ pub struct Kind {
     pub gaps: bool,
 }
 
-pub fn draws(kind: Kind) -> impl Strategy<Value = Draw> {
-    vec(any::<i8>(), 400).prop_map(move |tape| draw(kind, tape))
-}
-
-fn draw(kind: Kind, tape: Vec<i8>) -> Draw {
+/// The system that a tape describes; a tape that ends is continued by zeros.
+pub fn draw(kind: Kind, tape: Vec<i8>) -> Draw {
     let mut tape = Tape(tape.into_iter());
     let n = 1 + tape.choice(kind.states);
     let m = 1 + tape.choice(kind.sensors);

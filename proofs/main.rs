@@ -1,0 +1,10 @@
+//! Harnesses on finite fields: replayed natively over their whole domain, and written for Kani.
+//!
+//! Run natively they are exhaustive tests, not proofs; see `proofs/README.md`.
+
+mod determinant;
+mod harness;
+mod matrices;
+mod pseudo_inverse;
+mod residue;
+mod update;

@@ -1,0 +1,104 @@
+//! LDLᵀ and the Loewner order against the signs of all principal minors.
+
+use exact_kalman::matrix::{LdlError, Matrix};
+use exact_kalman::scalar::{Rational, Scalar, ratio};
+
+use crate::minors::{principal, rank};
+use crate::worlds::{matrices, signs, symmetric};
+
+/// Positive semidefinite: all principal minors are nonnegative, not only the leading ones.
+fn is_semidefinite(p: &Matrix<Rational>) -> bool {
+    (1..=p.rows()).all(|order| principal(p, order).iter().all(|minor| *minor >= ratio(0, 1)))
+}
+
+/// vᵀPv, term by term.
+fn value(p: &Matrix<Rational>, v: &Matrix<Rational>) -> Rational {
+    let terms = (0..p.rows()).flat_map(|i| (0..p.rows()).map(move |j| (i, j)));
+    terms.fold(ratio(0, 1), |sum, (i, j)| sum + &v[(i, 0)] * &p[(i, j)] * &v[(j, 0)])
+}
+
+/// Checks one symmetric matrix; whether it is positive semidefinite.
+fn checked(p: &Matrix<Rational>) -> bool {
+    match p.ldl() {
+        Ok(ldl) => {
+            assert!(is_semidefinite(p), "{p} is not positive semidefinite");
+            let n = p.rows();
+            assert_eq!(ldl.lower.congruence(&Matrix::diagonal(&ldl.pivots)), *p);
+            for (i, j) in (0..n).flat_map(|i| (i..n).map(move |j| (i, j))) {
+                assert_eq!(ldl.lower[(i, j)], ratio(i64::from(i == j), 1), "L of {p} is unit lower triangular");
+            }
+            assert!(ldl.pivots.iter().all(|pivot| *pivot >= ratio(0, 1)));
+            assert_eq!(ldl.rank(), rank(p));
+            assert_eq!(ldl.is_positive_definite(), rank(p) == n);
+            true
+        }
+        Err(LdlError::Indefinite(proof)) => {
+            assert!(!is_semidefinite(p), "{p} is positive semidefinite");
+            assert_eq!((proof.witness.rows(), proof.witness.columns()), (p.rows(), 1));
+            assert_eq!(value(p, &proof.witness), proof.value);
+            assert!(proof.value < ratio(0, 1), "{p}: {proof:?}");
+            false
+        }
+        Err(LdlError::Asymmetric { .. }) => panic!("{p} is symmetric"),
+    }
+}
+
+#[test]
+fn verdicts_on_all_symmetric_matrices_of_signs() {
+    let mut counts = [0; 2];
+    for n in 1..=3 {
+        for p in symmetric(n, &signs()) {
+            counts[usize::from(checked(&p))] += 1;
+        }
+    }
+    assert_eq!(counts[0] + counts[1], 3 + 27 + 729);
+    assert!(counts[1] > 20, "{counts:?}");
+}
+
+/// Every positive semidefinite matrix of order 3 is some L Lᵀ: here are all with L of signs, and what is below them.
+#[test]
+fn verdicts_on_gram_matrices_and_just_below() {
+    let mut counts = [0; 2];
+    for columns in 1..=2 {
+        for factor in matrices(3, columns, &signs()) {
+            let p = &factor * factor.transpose();
+            assert!(checked(&p));
+            counts[1] += 1;
+            // Singular since it has fewer columns than rows: less of any entry of the diagonal may leave the cone.
+            let mut below = p;
+            below[(1, 1)] = below[(1, 1)].minus(&ratio(1, 3));
+            counts[0] += usize::from(!checked(&below));
+        }
+    }
+    assert_eq!(counts[1], 27 + 729);
+    assert!(counts[0] > 400, "{counts:?}");
+}
+
+#[test]
+fn asymmetry_is_found_where_it_is() {
+    let mut count = 0;
+    for p in matrices(3, 3, &signs()) {
+        let differs = |i: usize, j: usize| p[(i, j)] != p[(j, i)];
+        if let Some((row, column)) = [(0, 1), (0, 2), (1, 2)].into_iter().find(|&(i, j)| differs(i, j)) {
+            assert_eq!(p.ldl(), Err(LdlError::Asymmetric { row, column }));
+            count += 1;
+        }
+    }
+    assert_eq!(count, 19_683 - 729);
+}
+
+#[test]
+fn loewner_order_is_that_of_the_difference() {
+    let world: Vec<_> = symmetric(2, &signs()).collect();
+    let mut counts = [0; 2];
+    for a in &world {
+        for b in &world {
+            let below = a.loewner_le(b).is_ok();
+            assert_eq!(below, is_semidefinite(&(b - a)), "{a} and {b}");
+            assert!(!(below && b.loewner_le(a).is_ok()) || a == b, "the order is antisymmetric");
+            counts[usize::from(below)] += 1;
+        }
+    }
+    assert_eq!(counts[0] + counts[1], 729);
+    assert!(counts[1] > 100, "{counts:?}");
+}

@@ -1,0 +1,12 @@
+//! Small worlds, exhausted: every matrix of a small size over {−1, 0, 1} or a small field.
+//!
+//! Expectations come from minors (Laplace's expansion), adjugates and enumeration, never from the crate's own
+//! elimination; every test counts what it covered.
+
+mod conditioning;
+mod definiteness;
+mod elimination;
+mod gaussian;
+mod minors;
+mod pseudo_inverse;
+mod worlds;

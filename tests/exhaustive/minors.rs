@@ -1,0 +1,58 @@
+//! Determinants by Laplace's expansion, and what they say about rank, inverse and definiteness.
+
+use exact_kalman::matrix::Matrix;
+use exact_kalman::scalar::{Field, Scalar};
+
+/// The determinant, expanded along the first row; one for the 0×0 matrix.
+pub fn determinant<S: Scalar>(a: &Matrix<S>) -> S {
+    let n = a.rows();
+    if n == 0 {
+        return S::one();
+    }
+    let rest: Vec<usize> = (1..n).collect();
+    (0..n).fold(S::zero(), |sum, j| {
+        let others: Vec<usize> = (0..n).filter(|&column| column != j).collect();
+        let term = a[(0, j)].times(&determinant(&a.select(&rest, &others)));
+        if j % 2 == 0 { sum.plus(&term) } else { sum.minus(&term) }
+    })
+}
+
+/// All choices of `count` out of `0..n`.
+pub fn choices(n: usize, count: usize) -> Vec<Vec<usize>> {
+    let chosen = |code: usize| (0..n).filter(|i| code >> i & 1 == 1).collect::<Vec<_>>();
+    (0..1 << n).map(chosen).filter(|choice| choice.len() == count).collect()
+}
+
+/// The order of the largest minor that is not zero.
+pub fn rank<S: Field>(a: &Matrix<S>) -> usize {
+    let has = |order: usize| {
+        let columns = choices(a.columns(), order);
+        choices(a.rows(), order)
+            .iter()
+            .any(|rows| columns.iter().any(|columns| !determinant(&a.select(rows, columns)).is_zero()))
+    };
+    (0..=a.rows().min(a.columns())).rev().find(|&order| has(order)).unwrap_or(0)
+}
+
+/// The principal minors of an order.
+pub fn principal<S: Scalar>(a: &Matrix<S>, order: usize) -> Vec<S> {
+    choices(a.rows(), order).iter().map(|choice| determinant(&a.select(choice, choice))).collect()
+}
+
+/// The adjugate: A · adj A = det A · I.
+pub fn adjugate<S: Scalar>(a: &Matrix<S>) -> Matrix<S> {
+    let without = |i: usize| (0..a.rows()).filter(|&k| k != i).collect::<Vec<_>>();
+    Matrix::from_fn(a.rows(), a.rows(), |i, j| {
+        let minor = determinant(&a.select(&without(j), &without(i)));
+        if (i + j) % 2 == 0 { minor } else { minor.negated() }
+    })
+}
+
+#[test]
+fn the_expansion_knows_a_determinant_by_heart() {
+    use exact_kalman::scalar::{Rational, ratio};
+    let a = Matrix::<Rational>::from_integers(&[[2, -3, 1], [2, 0, -1], [1, 4, 5]]);
+    assert_eq!(determinant(&a), ratio(49, 1));
+    assert_eq!(&a * adjugate(&a), Matrix::identity(3).scaled(&ratio(49, 1)));
+    assert_eq!(choices(4, 2).len(), 6);
+}

@@ -1,0 +1,6 @@
+//! The promises of the scalars: exhausted on small fields, by quickcheck on the others, and broken on purpose.
+
+mod broken;
+mod fields;
+mod fractions;
+mod rational;
