@@ -17,7 +17,8 @@ fn data_sets_have_the_checksums_that_are_listed() -> Result<(), std::io::Error> 
             continue;
         }
         let digest = Sha256::digest(fs::read(&path)?);
-        let checksum: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        let nibbles = digest.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+        let checksum: String = nibbles.filter_map(|nibble| char::from_digit(nibble.into(), 16)).collect();
         let row = sources.lines().find(|line| line.starts_with(&format!("| `{name}` |")));
         assert!(row.is_some_and(|row| row.contains(&checksum)), "{name} has the checksum {checksum}");
         seen += 1;
