@@ -48,9 +48,11 @@ impl<S: Scalar> Sensors<S> {
     }
 
     /// cov(x, y) and cov(y, y) for a state of covariance `p` whose noise has covariance `shared` with that
-    /// of y: `P Cᵀ + DFᵀ` and `C P Cᵀ + FFᵀ + C DFᵀ + FDᵀ Cᵀ`. With P = R(t) the latter is
+    /// of y: `P Cᵀ + DFᵀ` and `C P Cᵀ + FFᵀ + C DFᵀ + FDᵀ Cᵀ`. With P = R(t) they are
     ///
-    /// CKS-7: `P_yy|z = C A P Aᵀ Cᵀ + (F + C D)(F + C D)ᵀ`
+    /// CKS-10: `P_xy|z = A P Aᵀ Cᵀ + D(F + C D)ᵀ`
+    ///
+    /// CKS-11: `P_yy|z = C A P Aᵀ Cᵀ + (F + C D)(F + C D)ᵀ`
     pub(super) fn covariances(&self, p: &Matrix<S>, shared: &Matrix<S>) -> (Matrix<S>, Matrix<S>) {
         let c = &self.matrix;
         let cross = p * c.transpose() + shared;
@@ -66,6 +68,12 @@ pub(super) struct Updated<S> {
 }
 
 /// Conditions the predicted state on the observation.
+///
+/// CKS-5: `E[x(t+1) | Y(t+1)] = E[x(t+1) | Y(t)] + P_xy|z P_yy|z⁺ [y(t+1) − E(y(t+1) | Y(t))]`
+///
+/// CKS-12: `P(t+1) = A P Aᵀ + D Dᵀ − P_xy|z P_yy|z⁺ P_yx|z`
+///
+/// Written out, these are
 ///
 /// CKS-3: `x̂(t+1) = A(t)x̂(t) + B(t)u(t) + K(t)[y(t+1) − C(t)A(t)x̂(t) − C(t)B(t)u(t) − G(t)v(t)]`
 ///

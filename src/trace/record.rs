@@ -37,14 +37,20 @@ pub struct Record<T> {
     /// x_k given y_0, …, y_{k−1}; its covariance is R(k−1) in CKS.
     pub predicted: Moments<T>,
     /// E(y_k | y_0, …, y_{k−1})
+    ///
+    /// CKS-9: `E[y(t+1) | Y(t)] = C(t)E(x(t+1) | Y(t)) + G(t)v(t)`
     pub predicted_observation: Matrix<T>,
     /// ν
     pub innovation: Matrix<T>,
     /// S
+    ///
+    /// CKS-7: `P_yy|z = E[ν νᵀ | Y(t)], ν = y(t+1) − E(y(t+1) | Y(t))`
     pub innovation_covariance: Matrix<T>,
     /// The rank of S, its part of order κ included.
     pub innovation_rank: usize,
     /// cov(x_k, y_k | y_0, …, y_{k−1})
+    ///
+    /// CKS-6: `P_xy|z = E[(x(t+1) − E(x(t+1) | Y(t))) νᵀ | Y(t)]`
     pub cross_covariance: Matrix<T>,
     /// The part of S that grows with κ, while a diffuse start is not resolved.
     pub innovation_diffuse: Option<Matrix<T>>,
