@@ -1,8 +1,8 @@
 //! The nearby problems whose answers a backward-stable method could have given.
 //!
-//! Every nonzero datum is moved by a relative 2⁻⁵³, up or down. Covariances are moved through their factors LDLᵀ,
-//! so they stay symmetric, positive semidefinite and of the same rank; equal matrices stay equal, and so do equal
-//! rows of an observation matrix.
+//! Every nonzero datum is moved by a relative 2⁻⁵³, up or down; zeros stay zero, equal matrices stay equal, and so do
+//! equal rows of an observation matrix. Covariances stay symmetric, positive semidefinite and of the same rank: a
+//! positive definite one is moved entry by entry, as rounding would move it; a singular one through its factors LDLᵀ.
 
 use std::collections::HashMap;
 
@@ -10,9 +10,9 @@ use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use crate::filter::Precision;
-use crate::matrix::{Matrix, Shape};
+use crate::matrix::{Ldl, Matrix, Shape};
 use crate::model::{Initial, Observation, Path, Step, Transition};
-use crate::scalar::{Rational, Scalar, ratio};
+use crate::scalar::{Field as _, Rational, Scalar, ratio};
 
 /// Bits kept of a moved datum: enough to hold the move, few enough to keep exact work cheap.
 const BITS: u32 = 64;
@@ -76,16 +76,18 @@ impl Perturbation {
     ) -> (Transition<Rational>, Matrix<Rational>) {
         let n = transition.noise.rows();
         let cross = &transition.cross_noise;
+        let matrix = self.once(Kind::Transition, &transition.matrix, Self::matrix);
+        let input = self.once(Kind::Input, &transition.input, Self::matrix);
+        if cross.is_zero() {
+            let noise = self.once(Kind::Noise, &transition.noise, Self::covariance);
+            let observation_noise = self.once(Kind::Noise, observation_noise, Self::covariance);
+            return (Transition { matrix, input, noise, cross_noise: cross.clone() }, observation_noise);
+        }
         let joint = transition.noise.beside(cross).above(&cross.transpose().beside(observation_noise));
         let joint = self.once(Kind::Noise, &joint, Self::covariance);
         let all = joint.rows();
-        let moved = Transition {
-            matrix: self.once(Kind::Transition, &transition.matrix, Self::matrix),
-            input: self.once(Kind::Input, &transition.input, Self::matrix),
-            noise: joint.block(0..n, 0..n),
-            cross_noise: joint.block(0..n, n..all),
-        };
-        (moved, joint.block(n..all, n..all))
+        let (noise, cross_noise) = (joint.block(0..n, 0..n), joint.block(0..n, n..all));
+        (Transition { matrix, input, noise, cross_noise }, joint.block(n..all, n..all))
     }
 
     fn once(
@@ -104,7 +106,7 @@ impl Perturbation {
     }
 
     fn datum(&mut self, value: &Rational) -> Rational {
-        if num_traits::Zero::is_zero(value) {
+        if value.is_zero() {
             return value.clone();
         }
         let unit = ratio(1, 1 << 53);
@@ -132,16 +134,38 @@ impl Perturbation {
         Matrix::from_fn(rows, columns, |i, j| moved[i][j].clone())
     }
 
-    /// Moves a covariance through its factors; one that is not positive semidefinite, entry by entry.
+    /// Moves a symmetric matrix, mirrored entries alike.
+    fn symmetric(&mut self, matrix: &Matrix<Rational>) -> Matrix<Rational> {
+        let n = matrix.rows();
+        let moved = self.matrix(matrix);
+        Matrix::from_fn(n, n, |i, j| moved[(i.max(j), i.min(j))].clone())
+    }
+
+    /// Moves a covariance: entry by entry if it is positive definite and stays so, else through its factors. One that
+    /// is not positive semidefinite is moved entry by entry.
     fn covariance(&mut self, matrix: &Matrix<Rational>) -> Matrix<Rational> {
-        let Ok(ldl) = matrix.ldl() else {
-            let n = matrix.rows();
-            let moved = self.matrix(matrix);
-            return Matrix::from_fn(n, n, |i, j| moved[(i.max(j), i.min(j))].clone());
-        };
+        let Ok(ldl) = matrix.ldl() else { return self.symmetric(matrix) };
+        if ldl.is_positive_definite() {
+            let moved = self.symmetric(matrix);
+            if moved.ldl().is_ok_and(|ldl| ldl.is_positive_definite()) {
+                return moved;
+            }
+        }
+        self.through_factors(matrix, &ldl)
+    }
+
+    /// Moves the factors of `P = LDLᵀ`, which keeps the rank. Where zeros of P are sums that cancel they would be lost:
+    /// then P is multiplied from both sides by a diagonal matrix near the identity, which keeps zeros and rank.
+    fn through_factors(&mut self, matrix: &Matrix<Rational>, ldl: &Ldl<Rational>) -> Matrix<Rational> {
         let n = matrix.rows();
         let lower = Matrix::from_fn(n, n, |i, j| if i == j { Rational::one() } else { self.datum(&ldl.lower[(i, j)]) });
         let pivots: Vec<Rational> = ldl.pivots.iter().map(|pivot| self.datum(pivot)).collect();
-        lower.congruence(&Matrix::diagonal(&pivots))
+        let moved = lower.congruence(&Matrix::diagonal(&pivots));
+        let lost = |(before, after): (&Rational, &Rational)| before.is_zero() && !after.is_zero();
+        if matrix.entries().iter().zip(moved.entries()).any(lost) {
+            let near_one: Vec<Rational> = (0..n).map(|_| self.datum(&Rational::one())).collect();
+            return Matrix::diagonal(&near_one).congruence(matrix);
+        }
+        moved
     }
 }
