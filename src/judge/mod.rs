@@ -27,7 +27,7 @@ mod verdict;
 
 pub use digits::{Digits, EntryDigits};
 pub use examinee::Examinee;
-pub use invariants::Indefiniteness;
+pub use invariants::{Asymmetry, Indefiniteness};
 pub use judgement::{Judgement, Score};
 pub use reference::Reference;
 pub use scale::Scale;

@@ -14,7 +14,7 @@ use crate::trace::{Quantity, Values};
 const CARRIED: u32 = 2048;
 
 /// How many steps are exact before the state is rounded; more while a diffuse start is not resolved.
-const STRETCH: usize = 8;
+const STRETCH: usize = 4;
 
 /// The answer to a problem, up to where it has one.
 pub(super) fn answer(path: &Path<Rational>) -> Vec<FractionFreeStep> {

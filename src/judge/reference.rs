@@ -15,7 +15,7 @@ use crate::trace::{Quantity, Values};
 pub(super) const BITS: u32 = 256;
 
 /// The length in bits that exact denominators may reach; what is longer is left undecided.
-const MAXIMAL_BITS: u64 = 1 << 18;
+const MAXIMAL_BITS: u64 = 1 << 17;
 
 const EFFORT: Effort = Effort { precision: Precision::Rounded { bits: BITS }, maximal_bits: Some(MAXIMAL_BITS) };
 
@@ -49,7 +49,7 @@ impl Reference {
     ///
     /// # Errors
     ///
-    /// [`FractionFreeError`] if the exact numbers outgrow 2¹⁸ bits: the truth is then unknown here.
+    /// [`FractionFreeError`] if the exact numbers outgrow 2¹⁷ bits: the truth is then unknown here.
     pub fn of(path: &Path<Rational>) -> Result<Self, FractionFreeError> {
         let (steps, contradiction) = match filter_fraction_free(path, EFFORT) {
             Ok(steps) => (steps, None),
