@@ -1,7 +1,5 @@
 //! Correct digits: the log relative error of each quantity, in units that do not matter.
 
-use std::cmp::Ordering;
-
 use num_bigint::BigInt;
 use num_traits::Zero;
 
@@ -36,7 +34,7 @@ impl Digits {
 
     /// −log₁₀ √(square / unit), both given as an integer over an integer; nothing where the unit is zero.
     ///
-    /// A whole number of digits is met exactly: an error of 10⁻⁵ has five, not 4.999….
+    /// A whole number of digits is met exactly: an error of 10⁻⁵ has five, not 4.999…, and one of 1.0001·10⁻⁵ has not.
     fn of_square(square: &Fraction, unit: &Fraction) -> Option<Self> {
         if unit.numerator.is_zero() {
             return None;
@@ -53,11 +51,14 @@ impl Digits {
         #[expect(clippy::cast_possible_truncation, reason = "a whole number below ten thousand")]
         let power = BigInt::from(100_u8).pow((whole.abs() as i32).unsigned_abs());
         let (over, under) = if whole < 0.0 { (over, under * power) } else { (over * power, under) };
-        Some(Self::new(match over.cmp(&under) {
+        // Exact values are rounded to 256 bits before they come here.
+        Some(Self::new(if (&over - &under).magnitude() << 128_u8 <= *under.magnitude() {
             // Adding zero turns −0 into 0.
-            Ordering::Equal => whole + 0.0,
-            Ordering::Less => digits.max(whole + 0.0),
-            Ordering::Greater => digits.min(whole.next_down()),
+            whole + 0.0
+        } else if over < under {
+            digits.max(whole + 0.0)
+        } else {
+            digits.min(whole.next_down())
         }))
     }
 }

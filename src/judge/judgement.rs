@@ -54,14 +54,7 @@ impl Judgement {
     }
 
     fn empty(verdict: Verdict) -> Self {
-        Self {
-            verdict,
-            structural: false,
-            scores: Vec::new(),
-            indefinite: None,
-            asymmetric: None,
-            remarks: Vec::new(),
-        }
+        Self { verdict, structural: false, scores: Vec::new(), indefinite: None, asymmetric: None, remarks: Vec::new() }
     }
 
     /// The judgement on a case to which there is no answer that can be read.

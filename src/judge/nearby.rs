@@ -76,12 +76,19 @@ mod tests {
     #[test]
     fn rounding_the_state_changes_far_less_than_moving_the_data() {
         let bound = ratio(1, 2).pow(230);
-        for case in suite().iter().filter(|case| case.expect == Expect::Estimate && !case.flags.contains(&"singular".into())) {
+        for case in
+            suite().iter().filter(|case| case.expect == Expect::Estimate && !case.flags.contains(&"singular".into()))
+        {
             let mut path = case.problem().and_then(|problem| problem.realised()).unwrap();
             // Long enough for several stretches, short enough for fractions in lowest terms.
-            path = Path::from_parts(path.timing(), path.initial().clone(), path.steps().iter().take(19).cloned().collect());
+            path = Path::from_parts(
+                path.timing(),
+                path.initial().clone(),
+                path.steps().iter().take(19).cloned().collect(),
+            );
             let moved = Perturbation::seeded(7).of(&path);
-            let (rounded, exact) = (answer(&moved), filter_fraction_free(&moved, Precision::Rounded { bits: 400 }).unwrap());
+            let (rounded, exact) =
+                (answer(&moved), filter_fraction_free(&moved, Precision::Rounded { bits: 400 }).unwrap());
             assert_eq!(rounded.len(), exact.len(), "{}", case.id);
             for (step, (rounded, exact)) in rounded.iter().zip(&exact).enumerate() {
                 assert_eq!(rounded.innovation_rank, exact.innovation_rank, "{} at step {step}", case.id);

@@ -69,11 +69,8 @@ impl Reference {
             Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, largest };
         let answers = if structural { Vec::new() } else { perturbed_answers(path) };
         reference.structural |= !answers.iter().all(|answer| reference.is_alike(answer));
-        reference.attainable = if reference.structural {
-            reference.everywhere(Digits::new(STRUCTURAL))
-        } else {
-            reference.kept(&answers)
-        };
+        reference.attainable =
+            if reference.structural { reference.everywhere(Digits::new(STRUCTURAL)) } else { reference.kept(&answers) };
         Ok(reference)
     }
 

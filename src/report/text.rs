@@ -110,7 +110,10 @@ fn finding(case: &Case, judgement: &Judgement) -> String {
     let behind = || judgement.scores.iter().filter(|score| score.verdict != Verdict::Agrees);
     behind().map(described).for_each(&mut line);
     if judgement.structural && behind().next().is_some() {
-        line("15 digits count as attainable: an innovation covariance is singular, which moved data would not keep".into());
+        line(
+            "15 digits count as attainable: an innovation covariance is singular, which moved data would not keep"
+                .into(),
+        );
     }
     if let Some((quantity, step, found)) = judgement.indefinite.as_ref().filter(|(.., found)| found.beyond_rounding) {
         let proof = short_witness(&found.matrix, &found.proof);
@@ -123,7 +126,9 @@ fn finding(case: &Case, judgement: &Judgement) -> String {
     if let Some((quantity, step, found)) = judgement.asymmetric {
         let by = if found.beyond_rounding { "" } else { " to the last bit" };
         let (row, column) = (found.row, found.column);
-        line(format!("{quantity} at step {step} is not symmetric{by}: entries [{row}, {column}] and [{column}, {row}]"));
+        line(format!(
+            "{quantity} at step {step} is not symmetric{by}: entries [{row}, {column}] and [{column}, {row}]"
+        ));
     }
     for flag in &case.flags {
         if let Some(meaning) = meaning(flag) {
