@@ -13,7 +13,7 @@ Examples:
   exact-kalman cases                            list the suite
   exact-kalman cases --only singular            the cases of a category, or with a flag
   exact-kalman cases --out suite                one file per case below suite/
-  exact-kalman cases --format json              one case on each line, for other programs";
+  exact-kalman cases --format json              the cases themselves, for other programs";
 
 /// List the cases of the suite, or write them to files
 #[derive(clap::Args, Debug)]
@@ -24,7 +24,7 @@ pub(super) struct ListCases {
     /// Write one file per case below this directory.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// How to print the list: names, or the cases themselves.
+    /// How to print the list: ids with a sentence on each, or the cases themselves, one on each line.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -33,12 +33,15 @@ impl ListCases {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
         let cases = self.selection.cases()?;
         if let Some(directory) = self.out {
+            // All ids first: nothing is written if one of them cannot be.
             for case in &cases {
                 // The ids of the suite are relative paths; those of other people need not be.
                 if case.id.split('/').any(|part| part.is_empty() || part.starts_with('.')) || case.id.contains('\\') {
                     let message = "this id cannot be the name of a file".to_owned();
                     return Err(Trouble::Other { place: case.id.clone(), message });
                 }
+            }
+            for case in &cases {
                 let path = directory.join(format!("{}.json", case.id));
                 let write = |path: &PathBuf| {
                     fs::create_dir_all(path.parent().unwrap_or(&directory))?;

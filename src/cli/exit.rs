@@ -15,7 +15,7 @@ pub(super) enum Exit {
     Findings = 1,
     /// Usage, input, output.
     Trouble = 2,
-    /// Nothing wrong, but something undecided.
+    /// Nothing wrong, but something undecided, or nothing judged at all.
     Undecided = 3,
 }
 
@@ -29,7 +29,7 @@ impl Exit {
     pub(super) fn of(report: &Report) -> Self {
         if !report.findings().is_empty() {
             Self::Findings
-        } else if report.is_undecided() {
+        } else if report.is_undecided() || report.is_unsupported() {
             Self::Undecided
         } else {
             Self::Clean

@@ -55,11 +55,13 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), Trouble> {
     }
     let input = |source| Trouble::Input { place: path.display().to_string(), source };
     let entries = fs::read_dir(path).map_err(input)?.collect::<Result<Vec<_>, _>>().map_err(input)?;
-    let mut paths: Vec<PathBuf> = entries.into_iter().map(|entry| entry.path()).collect();
-    paths.sort();
-    for path in paths {
+    let mut entries: Vec<(PathBuf, bool)> =
+        entries.into_iter().map(|entry| (entry.path(), entry.file_type().is_ok_and(|kind| kind.is_dir()))).collect();
+    entries.sort();
+    for (path, is_directory) in entries {
         let named = path.extension().is_some_and(|extension| extension == "json" || extension == "jsonl");
-        if path.is_dir() || named {
+        // A link to a directory may lead back to here: it is not followed.
+        if is_directory || (named && !path.is_dir()) {
             collect(&path, files)?;
         }
     }
@@ -68,34 +70,36 @@ fn collect(path: &Path, files: &mut Vec<PathBuf>) -> Result<(), Trouble> {
 
 fn cases_of(path: &Path) -> Result<Vec<Case>, Trouble> {
     let text = text(path)?;
-    let place = |line: Option<usize>| match line {
-        Some(line) => format!("{}, line {}", path.display(), line + 1),
-        None => path.display().to_string(),
-    };
-    let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()).peekable();
-    let first = lines.peek().map(|(_, line)| *line);
-    // One case on each line: then the first line is a whole case. Otherwise the file is one.
-    if text.lines().nth(1).is_none() || first.is_none_or(|line| Case::parse(line).is_err()) {
-        let case = Case::parse(&text).map_err(|source| Trouble::Case { place: place(None), source })?;
-        return Ok(vec![case]);
+    // Some editors write a byte order mark.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+    let lines = || text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
+    let Some((_, first)) = lines().next() else { return Ok(Vec::new()) };
+    let read = |place: String, text: &str| Case::parse(text).map_err(|source| Trouble::Case { place, source });
+    // One case on each line if the first line is a whole document; otherwise the file is one case.
+    if serde_json::from_str::<serde::de::IgnoredAny>(first).is_err() {
+        return Ok(vec![read(path.display().to_string(), text)?]);
     }
-    lines
-        .map(|(number, line)| Case::parse(line).map_err(|source| Trouble::Case { place: place(Some(number)), source }))
-        .collect()
+    lines().map(|(number, line)| read(format!("{}, line {}", path.display(), number + 1), line)).collect()
 }
 
 /// Which cases a verb works on.
 #[derive(clap::Args, Debug)]
 pub(super) struct Selection {
-    /// A case file, a directory of case files, or `-`; the built-in suite if absent.
+    /// Cases of your own: a file (one case, or one on each line), a directory of such files, or `-` for standard
+    /// input [default: the built-in suite].
     #[arg(long, value_name = "PATH")]
     cases: Option<PathBuf>,
-    /// Only cases whose id or flags contain this text (may be repeated).
+    /// Only cases with this text in their id or in one of their flags; given several times, with any of them.
     #[arg(long, value_name = "TEXT")]
     only: Vec<String>,
 }
 
 impl Selection {
+    /// Whether standard input is read.
+    pub(super) fn is_standard_input(&self) -> bool {
+        self.cases.as_deref() == Some(Path::new("-"))
+    }
+
     pub(super) fn cases(&self) -> Result<Vec<Case>, Trouble> {
         let all = match &self.cases {
             Some(path) => cases(path)?,

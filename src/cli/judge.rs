@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::Format;
 use super::exit::{Exit, Trouble};
@@ -13,15 +13,17 @@ use crate::report::{Report, json, text};
 
 const EXAMPLES: &str = "\
 Examples:
-  exact-kalman cases --format json > cases.jsonl
-  python3 my_filter.py < cases.jsonl > answers.jsonl
-  exact-kalman judge answers.jsonl --cases cases.jsonl";
+  exact-kalman cases --format json > cases.jsonl                            ask: one case on each line
+  python3 examples/subjects/textbook.py < cases.jsonl > answers.jsonl       let a program answer
+  exact-kalman judge answers.jsonl                                          judge what it has answered
 
-/// Judge answers that a program has written to a file
+Answers may stand in any order; a case without one is a finding.";
+
+/// Judge answers that were saved to a file
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct JudgeAnswers {
-    /// The answers, one on each line, or `-`.
+    /// The answers, one on each line; `-` for standard input.
     answers: PathBuf,
     #[command(flatten)]
     selection: Selection,
@@ -35,38 +37,22 @@ pub(super) struct JudgeAnswers {
 
 impl JudgeAnswers {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
+        if self.selection.is_standard_input() && self.answers == Path::new("-") {
+            let message = "cases and answers cannot both be read from standard input".to_owned();
+            return Err(Trouble::Other { place: "-".into(), message });
+        }
         let cases = self.selection.cases()?;
-        let lines = read(&self.answers)?;
         let mut report = Report::new(self.answers.display().to_string());
-        let mut replies: BTreeMap<String, Reply> = BTreeMap::new();
-        let mut strays = 0;
-        for (number, line) in lines.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
-            if !line.trim_start().starts_with('{') {
-                strays += 1;
-                continue;
-            }
-            match Answer::parse(line) {
-                Ok(answer) => {
-                    let id = answer.id.clone();
-                    if replies.insert(id.clone(), Reply::Answer(answer)).is_some() {
-                        report.remarks.push(format!("{id:?} is answered more than once; the last answer counts"));
-                    }
-                }
-                Err(why) => report.remarks.push(format!("line {} is no answer: {why}", number + 1)),
-            }
-        }
-        if strays > 0 {
-            report.remarks.push(format!("{strays} lines that are no answers were passed over"));
-        }
+        let mut answers = Answers::of(&read(&self.answers)?, &mut report.remarks);
         for case in cases {
-            let reply = replies.remove(&case.id).unwrap_or_else(|| Reply::Malformed {
-                detail: "there is no answer to this case".into(),
-                line: String::new(),
-            });
-            let judgement = Judgement::of(case.expect, &Truth::of(&case), &reply);
+            let judgement = match answers.0.remove(&case.id) {
+                Some(Ok(answer)) => Judgement::of(case.expect, &Truth::of(&case), &Reply::Answer(answer)),
+                Some(Err(why)) => Judgement::unanswered(why),
+                None => Judgement::unanswered("there is no answer to this case"),
+            };
             report.results.push((case, judgement));
         }
-        for id in replies.keys() {
+        for id in answers.0.keys() {
             report.remarks.push(format!("{id:?} is answered, but it is no case that was asked"));
         }
         let mut out = std::io::stdout().lock();
@@ -76,4 +62,46 @@ impl JudgeAnswers {
         }
         Ok(Exit::of(&report))
     }
+}
+
+/// Answers by id, or why they are none.
+struct Answers(BTreeMap<String, Result<Answer, String>>);
+
+impl Answers {
+    /// The answers of a text, one on each line; what else there is becomes a remark.
+    fn of(text: &str, remarks: &mut Vec<String>) -> Self {
+        let mut answers = BTreeMap::new();
+        let mut strays = 0;
+        let lines = text.strip_prefix('\u{feff}').unwrap_or(text).lines().enumerate();
+        for (number, line) in lines.filter(|(_, line)| !line.trim().is_empty()) {
+            if !line.trim_start().starts_with('{') {
+                strays += 1;
+                continue;
+            }
+            let (id, answer) = match Answer::parse(line) {
+                Ok(answer) => (answer.id.clone(), Ok(answer)),
+                Err(why) => {
+                    let why = format!("line {} is no answer: {why}", number + 1);
+                    let Some(id) = id_of(line) else {
+                        remarks.push(why);
+                        continue;
+                    };
+                    (id, Err(why))
+                }
+            };
+            if answers.insert(id.clone(), answer).is_some() {
+                remarks.push(format!("{id:?} is answered more than once; the last answer counts"));
+            }
+        }
+        if strays > 0 {
+            remarks.push(format!("{strays} stray lines passed over"));
+        }
+        Self(answers)
+    }
+}
+
+/// The id of a line that is JSON, but no answer.
+fn id_of(line: &str) -> Option<String> {
+    let value: serde_json::Value = serde_json::from_str(line).ok()?;
+    value.get("id")?.as_str().map(str::to_owned)
 }

@@ -18,14 +18,16 @@ use exit::{Exit, Trouble};
 const EXAMPLES: &str = "\
 Examples:
   exact-kalman check                                    the built-in f64 filters, side by side
-  exact-kalman check -- python3 my_filter.py            your program, on the whole suite
+  exact-kalman check -- python3 my_filter.py            your program, on the whole suite of cases
   exact-kalman solve examples/cases/nile.json --last    exact answers, correctly rounded
 
-Exit codes: 0 all agree, 1 some finding, 2 trouble (usage, input), 3 nothing wrong but something undecided";
+Results go to standard output, talk to standard error.
+Exit codes: 0 all agree; 1 some finding; 2 trouble with the command line or the input;
+3 nothing wrong, but something undecided";
 
-/// The exact reference for Kalman filtering: exact values, and a judge for any program.
+/// The exact reference for Kalman filtering: exact values, and a judge for any program
 #[derive(Parser, Debug)]
-#[command(name = "exact-kalman", version, about, after_help = EXAMPLES, max_term_width = 100)]
+#[command(name = "exact-kalman", version, after_help = EXAMPLES, max_term_width = 100)]
 struct Arguments {
     #[command(subcommand)]
     verb: Verb,

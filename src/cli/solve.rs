@@ -9,7 +9,7 @@ use super::input;
 use crate::filter::{FractionFreeError, FractionFreeStep, Precision, filter, filter_fraction_free};
 use crate::matrix::Matrix;
 use crate::model::Path;
-use crate::protocol::{Answer, Case, Decimal, Outcome};
+use crate::protocol::{Answer, AnswerNumber, Case, Decimal, Outcome};
 use crate::scalar::Rational;
 use crate::trace::{Record, Values};
 
@@ -19,13 +19,16 @@ Examples:
   exact-kalman solve examples/cases/nile.json --last --digits 24
   exact-kalman solve examples/cases/walk.json --exact             as fractions
   exact-kalman solve examples/cases/walk.json --trace             every named quantity
-  exact-kalman cases --only basic --format json | exact-kalman solve - --format json";
+  exact-kalman cases --only basic --format json | exact-kalman solve - --format json
+
+A case that is no valid problem is refused, with the reason; the others are answered all the same. Exit
+codes: 0 all answered, 1 some data contradict their model, 2 some case refused, or other trouble";
 
 /// Print the exact answer to cases, correctly rounded
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Solve {
-    /// A case file (one case, or one on each line), a directory of such files, or `-`.
+    /// A case file (one case, or one on each line), a directory of such files, or `-` for standard input.
     case: PathBuf,
     /// Significant decimal digits, correctly rounded (halves away from zero).
     #[arg(long, default_value_t = 17, value_parser = clap::value_parser!(u32).range(1..=10_000))]
@@ -33,13 +36,14 @@ pub(super) struct Solve {
     /// Print fractions instead of decimals.
     #[arg(long, conflicts_with = "digits")]
     exact: bool,
-    /// Only the last step.
+    /// Only the last step (of text).
     #[arg(long)]
     last: bool,
-    /// Every named quantity, by the readable recursion: also the gain, and the parts of the likelihood.
+    /// Every named quantity, computed by the readable recursion (slower): also the gain, the cross covariance and
+    /// the parts of the likelihood.
     #[arg(long)]
     trace: bool,
-    /// Text, or one answer of the protocol on each line.
+    /// How to print the answers; JSON is that of docs/PROTOCOL.md, one answer on each line.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -61,12 +65,24 @@ impl Solve {
         let mut out = std::io::stdout().lock();
         let mut exit = Exit::Clean;
         for case in input::cases(&self.case)? {
-            let path = case.problem().and_then(|problem| problem.realised());
-            let path = path.map_err(|source| Trouble::Case { place: format!("case {:?}", case.id), source })?;
+            let path = match case.problem().and_then(|problem| problem.realised()) {
+                Ok(path) => path,
+                // One bad case does not hide the others.
+                Err(why) => {
+                    eprintln!("error: case {:?}: {why}", case.id);
+                    exit = Exit::Trouble;
+                    if self.format == Format::Json {
+                        writeln!(out, "{}", refusal(&case, why.to_string()))?;
+                    }
+                    continue;
+                }
+            };
             let (steps, stopped) = if self.trace { traced(&path) } else { solved(&path) };
             if let Some(Stopped { step, reason }) = &stopped {
                 eprintln!("{}: at step {step} {reason}", case.id);
-                exit = Exit::Findings;
+                if exit == Exit::Clean {
+                    exit = Exit::Findings;
+                }
             }
             match self.format {
                 Format::Text => self.write_text(&mut out, &case, &steps)?,
@@ -86,7 +102,11 @@ impl Solve {
             writeln!(out, "{} · step {step}", case.id)?;
             let named = shown.values.iter().map(|(quantity, matrix)| (quantity.to_string(), matrix));
             let more = shown.more.iter().map(|(name, matrix)| (name.clone(), matrix));
-            for (name, matrix) in named.chain(more) {
+            let all: Vec<_> = named.chain(more).collect();
+            if all.is_empty() {
+                writeln!(out, "  (the start is diffuse, and not yet resolved)")?;
+            }
+            for (name, matrix) in all {
                 writeln!(out, "  {name:34} {}", self.text(matrix))?;
             }
         }
@@ -104,19 +124,34 @@ impl Solve {
     }
 
     fn answer(&self, case: &Case, steps: Vec<Shown>, stopped: Option<Stopped>) -> String {
-        let rounded =
-            |value: &Rational| if self.exact { value.clone() } else { Decimal::rounded(value, self.digits).value() };
-        let values = |shown: Shown| -> Values<Rational> {
-            shown.values.into_iter().map(|(quantity, matrix)| (quantity, matrix.map(rounded))).collect()
-        };
-        let mut answer = Answer::answered(&case.id, steps.into_iter().map(values).collect());
-        if let Some(Stopped { step, reason }) = stopped {
-            answer.outcome = Outcome::Flagged;
-            answer.step = Some(step);
-            answer.message = Some(reason);
+        if self.exact {
+            return answer_line(case, steps, stopped, Rational::clone);
         }
-        answer.to_line()
+        answer_line(case, steps, stopped, |value| Decimal::rounded(value, self.digits))
     }
+}
+
+fn answer_line<T: AnswerNumber>(
+    case: &Case,
+    steps: Vec<Shown>,
+    stopped: Option<Stopped>,
+    number: impl Fn(&Rational) -> T,
+) -> String {
+    let values = |shown: Shown| -> Values<T> {
+        shown.values.into_iter().map(|(quantity, matrix)| (quantity, matrix.map(&number))).collect()
+    };
+    let mut answer = Answer::answered(&case.id, steps.into_iter().map(values).collect());
+    if let Some(Stopped { step, reason }) = stopped {
+        answer.outcome = Outcome::Flagged;
+        answer.step = Some(step);
+        answer.message = Some(reason);
+    }
+    answer.to_line()
+}
+
+fn refusal(case: &Case, why: String) -> String {
+    let answer = Answer::<Rational>::answered(&case.id, Vec::new());
+    Answer { outcome: Outcome::Refused, message: Some(why), ..answer }.to_line()
 }
 
 fn solved(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {

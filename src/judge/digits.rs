@@ -1,10 +1,11 @@
 //! Correct digits: the log relative error of each quantity, in units that do not matter.
 
 use num_bigint::BigInt;
+use num_traits::Zero;
 
 use super::Scale;
 use crate::matrix::Matrix;
-use crate::scalar::{Rational, Scalar};
+use crate::scalar::Rational;
 use crate::trace::Quantity;
 
 /// A number of correct decimal digits, capped at [`Digits::EXACT`]; negative if wrong by powers of ten.
@@ -31,14 +32,65 @@ impl Digits {
         Self(self.0.min(other.0))
     }
 
-    /// −log₁₀ of the root of a squared relative error.
-    fn of_square(square: &Rational) -> Self {
-        if num_traits::Zero::is_zero(square) {
-            return Self::EXACT;
+    /// −log₁₀ √(square / unit), both given as an integer over an integer; nothing where the unit is zero.
+    ///
+    /// A whole number of digits is met exactly: an error of 10⁻⁵ has five, not 4.999…, and one of 1.0001·10⁻⁵ has not.
+    fn of_square(square: &Fraction, unit: &Fraction) -> Option<Self> {
+        if unit.numerator.is_zero() {
+            return None;
         }
-        let log2 = log2(square.numer()) - log2(square.denom());
-        // Adding zero turns −0 into 0.
-        Self::new(-0.5 * log2 * std::f64::consts::LOG10_2 + 0.0)
+        let [over, under] = [&square.numerator * &unit.denominator, &square.denominator * &unit.numerator];
+        if over.is_zero() {
+            return Some(Self::EXACT);
+        }
+        let digits = 0.5 * (log2(&under) - log2(&over)) * std::f64::consts::LOG10_2;
+        let whole = digits.round();
+        if (digits - whole).abs() > 1e-6 || whole.abs() > 10_000.0 {
+            return Some(Self::new(digits));
+        }
+        #[expect(clippy::cast_possible_truncation, reason = "a whole number below ten thousand")]
+        let power = BigInt::from(100_u8).pow((whole.abs() as i32).unsigned_abs());
+        let (over, under) = if whole < 0.0 { (over, under * power) } else { (over * power, under) };
+        // Exact values are rounded to 256 bits before they come here.
+        Some(Self::new(if (&over - &under).magnitude() << 128_u8 <= *under.magnitude() {
+            // Adding zero turns −0 into 0.
+            whole + 0.0
+        } else if over < under {
+            digits.max(whole + 0.0)
+        } else {
+            digits.min(whole.next_down())
+        }))
+    }
+}
+
+/// An integer over a positive integer, not in lowest terms: a greatest common divisor would cost more than all the
+/// rest of the comparison.
+struct Fraction {
+    numerator: BigInt,
+    denominator: BigInt,
+}
+
+impl Fraction {
+    fn square(value: &Rational) -> Self {
+        Self { numerator: value.numer() * value.numer(), denominator: value.denom() * value.denom() }
+    }
+
+    fn square_of_difference(a: &Rational, b: &Rational) -> Self {
+        let difference = a.numer() * b.denom() - b.numer() * a.denom();
+        let denominator = a.denom() * b.denom();
+        Self { numerator: &difference * &difference, denominator: &denominator * &denominator }
+    }
+
+    fn product(a: &Rational, b: &Rational) -> Self {
+        Self { numerator: a.numer() * b.numer(), denominator: a.denom() * b.denom() }
+    }
+
+    fn max(self, value: &Rational) -> Self {
+        if &self.numerator * value.denom() < value.numer() * &self.denominator {
+            Self { numerator: value.numer().clone(), denominator: value.denom().clone() }
+        } else {
+            self
+        }
     }
 }
 
@@ -83,20 +135,15 @@ pub(super) fn digits(
     let mut worst = EntryDigits { digits: Digits::EXACT, row: 0, column: 0 };
     for row in 0..truth.rows() {
         for column in 0..truth.columns() {
-            let error = theirs[(row, column)].minus(&truth[(row, column)]);
-            let square = error.times(&error);
+            let error = Fraction::square_of_difference(&theirs[(row, column)], &truth[(row, column)]);
             let unit = if quantity.is_vector() {
-                let x = &truth[(row, 0)];
-                x.times(x).max(scale.variance(row).clone())
+                Fraction::square(&truth[(row, 0)]).max(scale.variance(row))
             } else {
-                scale.variance(row).times(scale.variance(column))
+                Fraction::product(scale.variance(row), scale.variance(column))
             };
-            let digits = match square.over(&unit) {
-                Ok(ratio) => Digits::of_square(&ratio),
-                // Nothing sets a scale here: the exact value is the only one with a right digit.
-                Err(_) if num_traits::Zero::is_zero(&square) => Digits::EXACT,
-                Err(_) => Digits::new(0.0),
-            };
+            // Where nothing sets a scale the exact value is the only one with a right digit.
+            let none = if error.numerator.is_zero() { Digits::EXACT } else { Digits::new(0.0) };
+            let digits = Digits::of_square(&error, &unit).unwrap_or(none);
             if digits < worst.digits {
                 worst = EntryDigits { digits, row, column };
             }

@@ -1,7 +1,7 @@
 //! Holds a reply against the truth.
 
-use super::invariants::indefiniteness;
-use super::{Digits, EntryDigits, Indefiniteness, Reference, Truth, Verdict, digits};
+use super::invariants::{asymmetry, indefiniteness};
+use super::{Asymmetry, Digits, EntryDigits, Indefiniteness, Reference, Scale, Truth, Verdict, digits};
 use crate::matrix::Matrix;
 use crate::protocol::{Answer, Expect, Number, Outcome, Reply};
 use crate::scalar::Rational;
@@ -35,19 +35,31 @@ pub struct Score {
 pub struct Judgement {
     /// The worst of everything below.
     pub verdict: Verdict,
+    /// Whether 15 digits count as attainable because moving the data would destroy the structure of the case.
+    pub structural: bool,
     /// One score per quantity that was answered and judged.
     pub scores: Vec<Score>,
-    /// The first covariance that is not positive semidefinite, with its step; also where only rounding is to blame.
+    /// The first covariance that is not positive semidefinite, with its step: one beyond rounding, or else one where
+    /// only rounding is to blame.
     pub indefinite: Option<(Quantity, usize, Indefiniteness)>,
-    /// The first covariance whose mirrored entries are not the same doubles.
-    pub asymmetric: Option<(Quantity, usize)>,
+    /// The first covariance that is not symmetric to the last bit, likewise.
+    pub asymmetric: Option<(Quantity, usize, Asymmetry)>,
     /// What there is to say in words: why, and where.
     pub remarks: Vec<String>,
 }
 
 impl Judgement {
     fn plain(verdict: Verdict, remark: impl Into<String>) -> Self {
-        Self { verdict, scores: Vec::new(), indefinite: None, asymmetric: None, remarks: vec![remark.into()] }
+        Self { remarks: vec![remark.into()], ..Self::empty(verdict) }
+    }
+
+    fn empty(verdict: Verdict) -> Self {
+        Self { verdict, structural: false, scores: Vec::new(), indefinite: None, asymmetric: None, remarks: Vec::new() }
+    }
+
+    /// The judgement on a case to which there is no answer that can be read.
+    pub fn unanswered(why: impl Into<String>) -> Self {
+        Self::plain(Verdict::Malformed, why)
     }
 
     /// The judgement on a reply.
@@ -75,6 +87,36 @@ impl Judgement {
         self.verdict = self.verdict.max(verdict);
         self.remarks.push(remark.into());
     }
+
+    /// Keeps the first violation of each invariant, and the first that rounding does not excuse in its place.
+    fn look_at_invariants(
+        &mut self,
+        quantity: Quantity,
+        step: usize,
+        theirs: &Matrix<Rational>,
+        scale: &Scale,
+        attainable: Digits,
+    ) {
+        let allowed = Verdict::allowed_error(attainable);
+        if self.asymmetric.as_ref().is_none_or(|(.., found)| !found.beyond_rounding)
+            && let Some(found) = asymmetry(theirs, scale, allowed.as_ref())
+            && (found.beyond_rounding || self.asymmetric.is_none())
+        {
+            if found.beyond_rounding {
+                self.verdict = self.verdict.max(Verdict::Asymmetric);
+            }
+            self.asymmetric = Some((quantity, step, found));
+        }
+        if self.indefinite.as_ref().is_none_or(|(.., found)| !found.beyond_rounding)
+            && let Some(found) = indefiniteness(theirs, scale, allowed.as_ref())
+            && (found.beyond_rounding || self.indefinite.is_none())
+        {
+            if found.beyond_rounding {
+                self.verdict = self.verdict.max(Verdict::NotPositiveSemidefinite);
+            }
+            self.indefinite = Some((quantity, step, found));
+        }
+    }
 }
 
 fn said(answer: &Answer) -> String {
@@ -94,20 +136,15 @@ fn of_bad_input(answer: &Answer, why: &str) -> Judgement {
     match answer.outcome {
         Outcome::Refused | Outcome::Error | Outcome::Flagged => Judgement::plain(Verdict::Agrees, said(answer)),
         Outcome::Unsupported => Judgement::plain(Verdict::Unsupported, said(answer)),
-        Outcome::Answered => Judgement::plain(Verdict::AcceptedBadInput, why),
+        Outcome::Answered => {
+            Judgement::plain(Verdict::AcceptedBadInput, format!("this should have been refused: {why}"))
+        }
     }
 }
 
 fn of_problem(answer: &Answer, reference: &Reference) -> Judgement {
-    let nothing = Judgement {
-        verdict: Verdict::Agrees,
-        scores: Vec::new(),
-        indefinite: None,
-        asymmetric: None,
-        remarks: Vec::new(),
-    };
     let steps = reference.observed.len();
-    let mut judgement = nothing;
+    let mut judgement = Judgement { structural: reference.structural, ..Judgement::empty(Verdict::Agrees) };
     match (answer.outcome, &reference.contradiction) {
         (Outcome::Unsupported, _) => return Judgement::plain(Verdict::Unsupported, said(answer)),
         (Outcome::Answered, None) => {}
@@ -179,32 +216,10 @@ fn score(
             worst = Some(score);
         }
         if quantity.is_covariance() {
-            let allowed = Verdict::allowed_error(attainable);
-            look_at_symmetry(quantity, step, &finite, judgement);
-            if judgement.indefinite.as_ref().is_none_or(|(.., found)| !found.beyond_rounding)
-                && let Some(found) = indefiniteness(&finite, &scale, allowed)
-                && (found.beyond_rounding || judgement.indefinite.is_none())
-            {
-                if found.beyond_rounding {
-                    judgement.verdict = judgement.verdict.max(Verdict::NotPositiveSemidefinite);
-                }
-                judgement.indefinite = Some((quantity, step, found));
-            }
+            judgement.look_at_invariants(quantity, step, &finite, &scale, attainable);
         }
     }
-    if let Some(score) = &worst
-        && matches!(score.verdict, Verdict::Loses { .. })
-        && judgement.asymmetric.is_some_and(|(asymmetric, _)| asymmetric == quantity)
-    {
-        judgement.verdict = judgement.verdict.max(Verdict::Asymmetric);
-    }
     worst.map(|score| Score { fewest, fewest_attainable, ..score })
-}
-
-fn look_at_symmetry(quantity: Quantity, step: usize, theirs: &Matrix<Rational>, judgement: &mut Judgement) {
-    if judgement.asymmetric.is_none() && theirs.asymmetry().is_some() {
-        judgement.asymmetric = Some((quantity, step));
-    }
 }
 
 /// The answered matrix as exact numbers, or why it has none.

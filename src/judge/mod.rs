@@ -8,7 +8,8 @@
 //! where an exact variance is zero, the largest that the component has in the run takes its place.
 //!
 //! **Attainable digits** are the worst of twenty answers to problems in which every nonzero datum is moved by a
-//! relative 2⁻⁵³. Where an innovation covariance is singular that would destroy the case, and 15 are attainable.
+//! relative 2⁻⁵³. Where that would destroy the structure of the case (an innovation covariance is singular, a diffuse
+//! start is resolved at a step of its own), 15 count as attainable.
 //!
 //! The verdicts stand in [`Verdict`]; its 2, 4 and 6 are the only constants.
 
@@ -16,6 +17,7 @@ mod digits;
 mod examinee;
 mod invariants;
 mod judgement;
+mod nearby;
 mod perturb;
 mod reference;
 mod scale;
@@ -25,7 +27,7 @@ mod verdict;
 
 pub use digits::{Digits, EntryDigits};
 pub use examinee::Examinee;
-pub use invariants::Indefiniteness;
+pub use invariants::{Asymmetry, Indefiniteness};
 pub use judgement::{Judgement, Score};
 pub use reference::Reference;
 pub use scale::Scale;

@@ -4,18 +4,18 @@ use std::collections::BTreeMap;
 
 use super::perturb::Perturbation;
 use super::scale::Largest;
-use super::{Digits, Scale, digits};
-use crate::filter::{Effort, FractionFreeError, Precision, StopReason, filter_fraction_free};
+use super::{Digits, Scale, digits, nearby};
+use crate::filter::{Effort, FractionFreeError, FractionFreeStep, Precision, StopReason, filter_fraction_free};
 use crate::gaussian::ConditionError;
 use crate::model::Path;
 use crate::scalar::Rational;
 use crate::trace::{Quantity, Values};
 
 /// Significant bits of the truth that digits are counted against: far more than 17 digits need.
-const BITS: u32 = 256;
+pub(super) const BITS: u32 = 256;
 
 /// The length in bits that exact denominators may reach; what is longer is left undecided.
-const MAXIMAL_BITS: u64 = 1 << 18;
+const MAXIMAL_BITS: u64 = 1 << 17;
 
 const EFFORT: Effort = Effort { precision: Precision::Rounded { bits: BITS }, maximal_bits: Some(MAXIMAL_BITS) };
 
@@ -33,8 +33,11 @@ pub struct Reference {
     pub contradiction: Option<(usize, ConditionError<Rational>)>,
     /// The digits that a backward-stable method would have kept, per step.
     pub attainable: Vec<BTreeMap<Quantity, Digits>>,
-    /// Whether an innovation covariance is singular: moving the data would destroy that.
-    pub singular: bool,
+    /// The ranks of the innovation covariances, per step up to the end or to the contradiction.
+    pub ranks: Vec<usize>,
+    /// Whether moving the data would destroy what the case is about: an innovation covariance is singular, or a diffuse
+    /// start would be resolved at another step. Then 15 digits count as attainable.
+    pub structural: bool,
     largest: Largest,
 }
 
@@ -46,7 +49,7 @@ impl Reference {
     ///
     /// # Errors
     ///
-    /// [`FractionFreeError`] if the exact numbers outgrow 2¹⁸ bits: the truth is then unknown here.
+    /// [`FractionFreeError`] if the exact numbers outgrow 2¹⁷ bits: the truth is then unknown here.
     pub fn of(path: &Path<Rational>) -> Result<Self, FractionFreeError> {
         let (steps, contradiction) = match filter_fraction_free(path, EFFORT) {
             Ok(steps) => (steps, None),
@@ -56,16 +59,18 @@ impl Reference {
             Err(error) => return Err(error),
         };
         let observed: Vec<Vec<usize>> = path.steps().iter().map(|step| step.reading.present()).collect();
-        let rank_deficient = steps.iter().zip(&observed).any(|(step, observed)| step.innovation_rank < observed.len());
-        let singular = contradiction.is_some() || rank_deficient;
+        let ranks: Vec<usize> = steps.iter().map(|step| step.innovation_rank).collect();
+        let rank_deficient = ranks.iter().zip(&observed).any(|(rank, observed)| *rank < observed.len());
+        let structural = contradiction.is_some() || rank_deficient;
         let values: Vec<_> = steps.into_iter().map(|step| step.values).collect();
         let seen = observed.iter().map(Vec::as_slice).zip(&values);
         let largest = Largest::of(&path.initial().covariance, path.sensors(), seen);
-        let mut reference = Self { values, observed, contradiction, attainable: Vec::new(), singular, largest };
-        reference.attainable = reference.unperturbed();
-        if !singular {
-            reference.perturb(path);
-        }
+        let mut reference =
+            Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, largest };
+        let answers = if structural { Vec::new() } else { perturbed_answers(path) };
+        reference.structural |= !answers.iter().all(|answer| reference.is_alike(answer));
+        reference.attainable =
+            if reference.structural { reference.everywhere(Digits::new(STRUCTURAL)) } else { reference.kept(&answers) };
         Ok(reference)
     }
 
@@ -74,40 +79,44 @@ impl Reference {
         self.largest.scale(quantity, self.observed.get(step)?, self.values.get(step)?)
     }
 
-    fn unperturbed(&self) -> Vec<BTreeMap<Quantity, Digits>> {
-        let start = if self.singular { Digits::new(STRUCTURAL) } else { Digits::EXACT };
-        self.values.iter().map(|values| values.keys().map(|&quantity| (quantity, start)).collect()).collect()
+    fn everywhere(&self, digits: Digits) -> Vec<BTreeMap<Quantity, Digits>> {
+        self.values.iter().map(|values| values.keys().map(|&quantity| (quantity, digits)).collect()).collect()
     }
 
-    /// Lowers what is attainable to the worst of the perturbed answers.
-    fn perturb(&mut self, path: &Path<Rational>) {
-        let solve = |seed: u64| -> Vec<Values<Rational>> {
-            let steps = filter_fraction_free(&Perturbation::seeded(seed).of(path), Precision::Rounded { bits: BITS });
-            steps.unwrap_or_else(|error| error.computed).into_iter().map(|step| step.values).collect()
+    /// Whether an answer has the ranks of the exact one, and values at the same places.
+    fn is_alike(&self, answer: &[FractionFreeStep]) -> bool {
+        let alike = |(step, (values, rank)): (&FractionFreeStep, (&Values<Rational>, &usize))| {
+            step.innovation_rank == *rank && step.values.keys().eq(values.keys())
         };
-        let workers = std::thread::available_parallelism().map_or(1, usize::from).min(8);
-        let answers: Vec<Vec<Values<Rational>>> = std::thread::scope(|scope| {
-            let share = |first: usize| {
-                scope.spawn(move || (0..DRAWS).skip(first).step_by(workers).map(solve).collect::<Vec<_>>())
-            };
-            let shares: Vec<_> = (0..workers).map(share).collect();
-            shares
-                .into_iter()
-                .flat_map(|share| share.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-                .collect()
-        });
-        for answer in &answers {
-            for (step, (values, truth)) in answer.iter().zip(&self.values).enumerate() {
-                for (&quantity, matrix) in values {
-                    let (Some(scale), Some(exact)) = (self.scale(step, quantity), truth.get(&quantity)) else {
-                        continue;
-                    };
-                    let kept = digits::digits(quantity, matrix, exact, &scale).digits;
-                    if let Some(attainable) = self.attainable[step].get_mut(&quantity) {
-                        *attainable = attainable.min(kept);
-                    }
+        answer.len() == self.values.len() && answer.iter().zip(self.values.iter().zip(&self.ranks)).all(alike)
+    }
+
+    /// The fewest digits that any of the answers has kept.
+    fn kept(&self, answers: &[Vec<FractionFreeStep>]) -> Vec<BTreeMap<Quantity, Digits>> {
+        let mut kept = self.everywhere(Digits::EXACT);
+        for (step, (kept, truth)) in kept.iter_mut().zip(&self.values).enumerate() {
+            for (&quantity, kept) in kept {
+                let (Some(scale), Some(exact)) = (self.scale(step, quantity), truth.get(&quantity)) else { continue };
+                for theirs in answers.iter().filter_map(|answer| answer.get(step)?.values.get(&quantity)) {
+                    *kept = kept.min(digits::digits(quantity, theirs, exact, &scale).digits);
                 }
             }
         }
+        kept
     }
+}
+
+/// The answers to the perturbed problems, computed side by side; their order does not depend on that.
+fn perturbed_answers(path: &Path<Rational>) -> Vec<Vec<FractionFreeStep>> {
+    let solve = |seed: u64| nearby::answer(&Perturbation::seeded(seed).of(path));
+    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(8);
+    std::thread::scope(|scope| {
+        let share =
+            |first: usize| scope.spawn(move || (0..DRAWS).skip(first).step_by(workers).map(solve).collect::<Vec<_>>());
+        let shares: Vec<_> = (0..workers).map(share).collect();
+        shares
+            .into_iter()
+            .flat_map(|share| share.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+            .collect()
+    })
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::Digits;
+use crate::scalar::{Rational, exact_value};
 
 /// Losing up to this many digits against the attainable ones is agreement.
 const ALLOWED_LOSS: f64 = 2.0;
@@ -16,16 +17,18 @@ const FAIR_FROM: f64 = 6.0;
 /// | verdict | when |
 /// |---|---|
 /// | agrees | every judged quantity has at most 2 digits fewer than attainable, at every step; a case that must be refused or flagged was |
-/// | loses N digits | some quantity has N > 2 digits fewer than attainable |
+/// | unsupported | the subject says that it does not know this kind of model |
+/// | undecided | the truth is not known to the judge |
+/// | loses N digits | some quantity has more than 2 digits fewer than attainable; N is their number, rounded up |
 /// | asymmetric | two mirrored entries of a covariance differ by more than the digits allowed |
 /// | not psd | a covariance stays indefinite when its variances are raised by a relative error of the digits allowed |
-/// | wrong | fewer than 4 digits where 6 or more are attainable, or a value that is not finite, or a missing one |
-/// | accepted bad input | an answer to a case that must be refused, or to data of probability zero |
 /// | refused valid input | no estimate, and the input is blamed |
-/// | unsupported | the subject says that it does not know this kind of model |
 /// | error | the subject says that it failed |
+/// | accepted bad input | an answer to a case that must be refused, or no word about data of probability zero |
+/// | wrong | fewer than 4 digits where 6 or more are attainable; a value that is not finite, missing or of another shape; a contradiction reported at another step than its own |
 /// | timed out, died, malformed | no answer, or none that can be read |
-/// | undecided | the truth is not known to the judge |
+///
+/// The digits allowed are the attainable ones less 2. The first three are no findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 #[expect(missing_docs, reason = "the table above says it")]
@@ -63,9 +66,10 @@ impl Verdict {
         }
     }
 
-    /// The relative error that agreement allows: 10 to the power of minus the attainable digits, plus 2.
-    pub(super) fn allowed_error(attainable: Digits) -> f64 {
-        libm::exp10(ALLOWED_LOSS - attainable.value())
+    /// The relative error that agreement allows: 10 to the power of minus the attainable digits, plus 2; nothing if that
+    /// is more than any number.
+    pub(super) fn allowed_error(attainable: Digits) -> Option<Rational> {
+        exact_value(libm::exp10(ALLOWED_LOSS - attainable.value()))
     }
 
     /// Whether it is a finding: neither agreement nor something that was not judged.

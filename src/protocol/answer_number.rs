@@ -1,7 +1,7 @@
 //! The numbers of an answer as they are written.
 
 use super::number::{name_of, shortest_double};
-use super::{Number, Numbers};
+use super::{Decimal, Number, Numbers};
 use crate::scalar::Rational;
 
 mod sealed {
@@ -9,9 +9,10 @@ mod sealed {
     impl Sealed for f64 {}
     impl Sealed for crate::scalar::Rational {}
     impl Sealed for super::Number {}
+    impl Sealed for super::Decimal {}
 }
 
-/// A type whose values can be written into an answer: `f64`, [`Rational`], [`Number`].
+/// A type whose values can be written into an answer: `f64`, [`Rational`], [`Number`], [`Decimal`].
 pub trait AnswerNumber: sealed::Sealed {
     /// What the strings mean.
     const NUMBERS: Numbers;
@@ -45,5 +46,13 @@ impl AnswerNumber for Number {
             Self::Infinite { negative } => name_of(false, *negative).to_owned(),
             Self::NotANumber => name_of(true, false).to_owned(),
         }
+    }
+}
+
+impl AnswerNumber for Decimal {
+    const NUMBERS: Numbers = Numbers::Exact;
+
+    fn literal(&self) -> String {
+        self.to_string()
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use comfy_table::CellAlignment;
 
 use super::Report;
-use super::text::{plain_table, trimmed};
+use super::text::{plain_table, printable, trimmed};
 use crate::judge::{Digits, Judgement, Score, Verdict};
 use crate::trace::Quantity;
 
@@ -22,7 +22,7 @@ pub fn side_by_side(reports: &[Report]) -> String {
             .map(|judgement| pair(judgement, |score| score.fewest_attainable))
             .find(|text| !text.is_empty());
         let cells = judgements().map(cell);
-        table.add_row([case.id.clone(), attainable.unwrap_or_default()].into_iter().chain(cells));
+        table.add_row([printable(&case.id), attainable.unwrap_or_default()].into_iter().chain(cells));
     }
     for column in 1..=reports.len() + 1 {
         if let Some(column) = table.column_mut(column) {
@@ -50,14 +50,20 @@ fn pair(judgement: &Judgement, digits: impl Fn(&Score) -> Digits) -> String {
     }
 }
 
-/// The digits, with a mark if the verdict is a finding; the verdict itself where it says more.
+/// The digits, with a mark if they are the finding; the verdict where it says more, or is about other quantities.
 fn cell(judgement: &Judgement) -> String {
     let digits = pair(judgement, |score| score.fewest);
     match judgement.verdict {
         Verdict::Agrees if digits.is_empty() => "refused".to_owned(),
         Verdict::Agrees => digits,
-        Verdict::Loses { .. } | Verdict::Wrong if !digits.is_empty() => format!("{digits} !"),
-        Verdict::NotPositiveSemidefinite | Verdict::Asymmetric => format!("{digits} {}", judgement.verdict),
-        other => other.to_string(),
+        Verdict::Loses { .. } | Verdict::Wrong if is_seen(judgement) => format!("{digits} !"),
+        other if digits.is_empty() => other.to_string(),
+        other => format!("{digits} {}", other.name()),
     }
+}
+
+/// Whether one of the two quantities that are shown is to blame.
+fn is_seen(judgement: &Judgement) -> bool {
+    let shown = |score: &&Score| matches!(score.quantity, Quantity::FilteredMean | Quantity::FilteredCovariance);
+    judgement.scores.iter().filter(shown).any(|score| score.verdict != Verdict::Agrees)
 }

@@ -28,13 +28,21 @@ fn result(case: &Case, judgement: &Judgement) -> Value {
             "witness": found.proof.witness.entries().iter().map(ToString::to_string).collect::<Vec<_>>(),
         })
     });
-    let asymmetric =
-        judgement.asymmetric.map(|(quantity, step)| object!({ "quantity": quantity.name(), "step": step }));
+    let asymmetric = judgement.asymmetric.map(|(quantity, step, found)| {
+        object!({
+            "quantity": quantity.name(),
+            "step": step,
+            "row": found.row,
+            "column": found.column,
+            "beyond_rounding": found.beyond_rounding,
+        })
+    });
     object!({
         "id": case.id,
         "flags": case.flags,
         "verdict": judgement.verdict.name(),
         "remarks": judgement.remarks,
+        "structural": judgement.structural,
         "scores": judgement.scores.iter().map(score).collect::<Vec<_>>(),
         "not_psd": indefinite,
         "asymmetric": asymmetric,

@@ -56,6 +56,11 @@ impl Report {
         findings
     }
 
+    /// Whether the examinee says of every case that it does not know such models.
+    pub fn is_unsupported(&self) -> bool {
+        self.results.iter().all(|(_, judgement)| judgement.verdict == Verdict::Unsupported)
+    }
+
     /// Whether some case could not be decided.
     pub fn is_undecided(&self) -> bool {
         self.results.iter().any(|(_, judgement)| judgement.verdict == Verdict::Undecided)

@@ -12,25 +12,45 @@ use crate::trace::Quantity;
 /// How many findings are shown unless all are asked for.
 const SHOWN: usize = 20;
 
+/// How many lines of a message that came from outside are shown: the last ones, where programs say what went wrong.
+const MESSAGE_LINES: usize = 12;
+
 /// The report on one examinee: a line per case, then the findings, worst first, then the count.
 pub fn text(report: &Report, all: bool) -> String {
-    let mut out = format!("{}\n\n{}\n\n", report.examinee, table(report));
-    out += "digits: correct / attainable, where they fall furthest behind; 17 means exact\n";
+    let mut out = format!("{}\n\n{}\n\n", printable(&report.examinee), table(report));
+    if report.results.iter().any(|(_, judgement)| !judgement.scores.is_empty()) {
+        out += "Correct digits / attainable digits, at the step where they fall furthest behind; 17 is exact.\n";
+        out += "Attainable is what is left of the answer when all data are moved by one part in 2^53.\n";
+    }
     let findings = report.findings();
     let shown = if all { findings.len() } else { findings.len().min(SHOWN) };
+    if !findings.is_empty() {
+        let _ = writeln!(out, "\n{}, worst first", counted(findings.len(), "finding"));
+    }
     for (place, (case, judgement)) in findings.iter().take(shown).enumerate() {
-        let _ = write!(out, "\n{}. {} — {}\n{}", place + 1, case.id, judgement.verdict, finding(case, judgement));
+        let id = printable(&case.id);
+        let _ = write!(out, "\n{}. {id}: {}\n{}", place + 1, judgement.verdict, finding(case, judgement));
     }
     if shown < findings.len() {
-        let _ = writeln!(out, "\n… and {} more findings; --all shows them", findings.len() - shown);
+        let _ = writeln!(out, "\n… and {}; --all shows them", counted(findings.len() - shown, "more finding"));
     }
     out.push('\n');
     for remark in &report.remarks {
-        let _ = writeln!(out, "note: {remark}");
+        let _ = writeln!(out, "note: {}", printable(remark));
     }
     let counts: Vec<String> = report.counts().iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
-    let _ = writeln!(out, "{} cases: {}", report.results.len(), counts.join(", "));
+    let _ = writeln!(out, "{}: {}", counted(report.results.len(), "case"), counts.join(", "));
     out
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {noun}{plural}")
+}
+
+/// Text that came from outside, on one line and without anything that a terminal obeys.
+pub(super) fn printable(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// A table in the house's style: no lines, columns apart.
@@ -56,17 +76,18 @@ fn table(report: &Report) -> String {
             report.results.iter().any(|(_, judgement)| judgement.scores.iter().any(|score| score.quantity == *quantity))
         })
         .collect();
-    let names = quantities.iter().map(|quantity| quantity.to_string().replace("covariance", "cov"));
-    let mut table = plain_table(["case".to_owned()].into_iter().chain(names).chain(["verdict".to_owned()]).collect());
+    // Two short lines each, so that six quantities fit on a screen.
+    let names = quantities.iter().map(|quantity| quantity.name().replace("covariance", "cov").replace('_', "\n"));
+    let mut table = plain_table(["case".to_owned(), "verdict".to_owned()].into_iter().chain(names).collect());
     for (case, judgement) in &report.results {
         let cell = |quantity: &Quantity| {
             let score = judgement.scores.iter().find(|score| score.quantity == *quantity);
             score.map_or_else(String::new, |score| format!("{}/{}", score.worst.digits, score.attainable))
         };
         let cells = quantities.iter().map(cell);
-        table.add_row([case.id.clone()].into_iter().chain(cells).chain([judgement.verdict.to_string()]));
+        table.add_row([printable(&case.id), judgement.verdict.to_string()].into_iter().chain(cells));
     }
-    for column in 1..=quantities.len() {
+    for column in 2..quantities.len() + 2 {
         if let Some(column) = table.column_mut(column) {
             column.set_cell_alignment(CellAlignment::Right);
         }
@@ -81,31 +102,51 @@ fn finding(case: &Case, judgement: &Judgement) -> String {
         let _ = writeln!(out, "   {text}");
     };
     if !case.about.is_empty() {
-        line(case.about.clone());
+        line(printable(&case.about));
     }
     for remark in &judgement.remarks {
-        line(remark.clone());
+        last_lines(remark).into_iter().for_each(&mut line);
     }
-    for score in judgement.scores.iter().filter(|score| score.verdict != Verdict::Agrees) {
-        line(described(score));
+    let behind = || judgement.scores.iter().filter(|score| score.verdict != Verdict::Agrees);
+    behind().map(described).for_each(&mut line);
+    if judgement.structural && behind().next().is_some() {
+        line(
+            "15 digits count as attainable: an innovation covariance is singular, which moved data would not keep"
+                .into(),
+        );
     }
     if let Some((quantity, step, found)) = judgement.indefinite.as_ref().filter(|(.., found)| found.beyond_rounding) {
         let proof = short_witness(&found.matrix, &found.proof);
         let value = Decimal::rounded(&proof.value, 3);
         line(format!(
             "{quantity} at step {step} is not positive semidefinite: v = {} has vᵀPv = {value}",
-            proof.witness
+            proof.witness.transpose()
         ));
     }
-    if let Some((quantity, step)) = judgement.asymmetric {
-        line(format!("{quantity} at step {step} is not symmetric to the last bit"));
+    if let Some((quantity, step, found)) = judgement.asymmetric {
+        let by = if found.beyond_rounding { "" } else { " to the last bit" };
+        let (row, column) = (found.row, found.column);
+        line(format!(
+            "{quantity} at step {step} is not symmetric{by}: entries [{row}, {column}] and [{column}, {row}]"
+        ));
     }
     for flag in &case.flags {
         if let Some(meaning) = meaning(flag) {
-            line(format!("{flag}: {meaning}"));
+            line(format!("({flag}: {meaning})"));
         }
     }
     out
+}
+
+/// The last lines of a text.
+fn last_lines(text: &str) -> Vec<String> {
+    let lines: Vec<&str> = text.trim_end().lines().collect();
+    let left_out = lines.len().saturating_sub(MESSAGE_LINES);
+    let note = (left_out > 0).then(|| format!("… {} …", counted(left_out, "line")));
+    // The first line says what the others are.
+    let (first, rest) = if left_out > 0 { lines.split_at(1) } else { lines.split_at(0) };
+    let kept = rest.iter().skip(if left_out > 0 { left_out } else { 0 });
+    first.iter().map(|line| printable(line)).chain(note).chain(kept.map(|line| printable(line))).collect()
 }
 
 fn described(score: &Score) -> String {
