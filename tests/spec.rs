@@ -33,8 +33,8 @@ fn entries(specification: &str) -> Result<BTreeMap<String, Entry>, String> {
 
 /// The identifiers that a text names.
 fn named(text: &str) -> BTreeSet<String> {
-    let belongs = |c: char| c.is_ascii_alphanumeric() || c == '-';
-    let words = text.split(|c| !belongs(c)).map(|word| word.trim_end_matches('-'));
+    let belongs = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '.';
+    let words = text.split(|c| !belongs(c)).map(|word| word.trim_end_matches(['-', '.']));
     let is_id =
         |word: &&str| word.split_once('-').is_some_and(|(paper, rest)| PAPERS.contains(&paper) && !rest.is_empty());
     words.filter(is_id).map(str::to_owned).collect()
