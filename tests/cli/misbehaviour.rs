@@ -34,7 +34,7 @@ fn it_dies() {
 
 #[test]
 fn its_last_words_are_cut_and_harmless() {
-    let out = on(r#"read -r line; for k in $(seq 1 100); do printf 'frame %s \033[31m\a\n' $k >&2; done; exit 1"#);
+    let out = on(r"read -r line; for k in $(seq 1 100); do printf 'frame %s \033[31m\a\n' $k >&2; done; exit 1");
     assert!(out.contains("frame 100 ") && !out.contains("frame 50 ") && out.contains(" lines …"), "{out}");
     assert!(!out.contains('\u{7}'), "{out:?}");
 }
