@@ -13,9 +13,9 @@ use crate::report::{Report, json, text};
 
 const EXAMPLES: &str = "\
 Examples:
-  exact-kalman cases --format json > cases.jsonl                            ask: one case on each line
-  python3 examples/subjects/textbook.py < cases.jsonl > answers.jsonl       let a program answer
-  exact-kalman judge answers.jsonl                                          judge what it has answered
+  exact-kalman cases --format json > cases.jsonl                        one case on each line
+  python3 examples/subjects/textbook.py < cases.jsonl > answers.jsonl   a program answers
+  exact-kalman judge answers.jsonl                                      judge what it said
 
 Answers may stand in any order; a case without one is a finding.";
 

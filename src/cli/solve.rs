@@ -107,7 +107,7 @@ impl Solve {
                 writeln!(out, "  (the start is diffuse, and not yet resolved)")?;
             }
             for (name, matrix) in all {
-                writeln!(out, "  {name:34} {}", self.text(matrix))?;
+                writeln!(out, "  {name:36} {}", self.text(matrix))?;
             }
         }
         Ok(())

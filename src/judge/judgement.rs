@@ -83,6 +83,11 @@ impl Judgement {
         }
     }
 
+    /// How many digits are missing where most are; zero if nothing was scored.
+    pub fn shortfall(&self) -> f64 {
+        self.scores.iter().map(|score| score.attainable.value() - score.worst.digits.value()).fold(0.0, f64::max)
+    }
+
     fn note(&mut self, verdict: Verdict, remark: impl Into<String>) {
         self.verdict = self.verdict.max(verdict);
         self.remarks.push(remark.into());

@@ -14,10 +14,16 @@ use crate::trace::{Quantity, Values};
 /// Significant bits of the truth that digits are counted against: far more than 17 digits need.
 pub(super) const BITS: u32 = 256;
 
-/// The length in bits that exact denominators may reach; what is longer is left undecided.
-const MAXIMAL_BITS: u64 = 1 << 17;
+/// The square of the length in bits that exact denominators may reach, times states plus sensors: 2¹⁷ bits for one of
+/// each, some eight hundred steps of full doubles, and less for more, so that no case takes minutes. What is longer is
+/// left undecided.
+const MAXIMAL_SIZE: u64 = 1 << 35;
 
-const EFFORT: Effort = Effort { precision: Precision::Rounded { bits: BITS }, maximal_bits: Some(MAXIMAL_BITS) };
+/// The effort that is made for a path.
+fn effort(path: &Path<Rational>) -> Effort {
+    let dimensions = u64::try_from(path.states() + path.sensors()).unwrap_or(u64::MAX).max(1);
+    Effort { precision: Precision::Rounded { bits: BITS }, maximal_bits: Some((MAXIMAL_SIZE / dimensions).isqrt()) }
+}
 
 /// How many perturbed problems are solved.
 const DRAWS: u64 = 20;
@@ -49,9 +55,10 @@ impl Reference {
     ///
     /// # Errors
     ///
-    /// [`FractionFreeError`] if the exact numbers outgrow 2¹⁷ bits: the truth is then unknown here.
+    /// [`FractionFreeError`] if the exact numbers grow too long (2¹⁷ bits for one state and one sensor, less for more): the
+    /// truth is then unknown here.
     pub fn of(path: &Path<Rational>) -> Result<Self, FractionFreeError> {
-        let (steps, contradiction) = match filter_fraction_free(path, EFFORT) {
+        let (steps, contradiction) = match filter_fraction_free(path, effort(path)) {
             Ok(steps) => (steps, None),
             Err(FractionFreeError { step, reason: StopReason::Condition(reason), computed }) => {
                 (computed, Some((step, reason)))

@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json as object};
 
-use super::Report;
+use super::{Report, entry};
 use crate::judge::{Judgement, Score};
-use crate::protocol::{Case, Decimal};
+use crate::protocol::Case;
 
 /// One object per examinee: counts by verdict, and for each case the verdict, its reasons and the digits.
 pub fn json(report: &Report) -> Value {
@@ -60,8 +60,8 @@ fn score(score: &Score) -> Value {
         "attainable": tenths(score.attainable.value()),
         "fewest_digits": tenths(score.fewest.value()),
         "fewest_attainable": tenths(score.fewest_attainable.value()),
-        "answered": Decimal::rounded(&score.theirs, 17).to_string(),
-        "exact": Decimal::rounded(&score.exact, 17).to_string(),
+        "answered": entry::answered(&score.theirs),
+        "exact": entry::exact(&score.exact),
     })
 }
 

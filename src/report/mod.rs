@@ -5,6 +5,7 @@
 //! bytes: no clock, no order but that of the cases.
 
 mod comparison;
+mod entry;
 mod json;
 mod text;
 
@@ -48,11 +49,13 @@ impl Report {
         counts.into_iter().map(|(verdict, count)| (verdict.name(), count)).collect()
     }
 
-    /// The results that are findings, worst first.
+    /// The results that are findings: the worst verdict first, and of one verdict the one that misses most digits.
     pub fn findings(&self) -> Vec<&(Case, Judgement)> {
         let mut findings: Vec<_> =
             self.results.iter().filter(|(_, judgement)| judgement.verdict.is_finding()).collect();
-        findings.sort_by_key(|(_, judgement)| std::cmp::Reverse(judgement.verdict));
+        findings.sort_by(|(_, one), (_, other)| {
+            other.verdict.cmp(&one.verdict).then(other.shortfall().total_cmp(&one.shortfall()))
+        });
         findings
     }
 

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 
-use super::Report;
+use super::{Report, entry};
 use crate::judge::{Judgement, Score, Verdict, meaning};
 use crate::protocol::{Case, Decimal, short_witness};
 use crate::trace::Quantity;
@@ -156,7 +156,7 @@ fn described(score: &Score) -> String {
     format!(
         "{quantity} at step {step}, entry {place}: {} digits where {attainable} are attainable: {} answered, {} exact",
         worst.digits,
-        Decimal::rounded(theirs, 17),
-        Decimal::rounded(exact, 17),
+        entry::answered(theirs),
+        entry::exact(exact),
     )
 }

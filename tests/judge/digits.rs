@@ -1,4 +1,5 @@
 //! Known errors have known digits.
+#![expect(clippy::float_cmp, reason = "whole numbers of digits are met exactly")]
 
 use exact_kalman::judge::{Judgement, Truth, Verdict};
 use exact_kalman::matrix::Matrix;

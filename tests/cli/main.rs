@@ -1,0 +1,12 @@
+//! The program, run as people run it. Subjects are shell scripts, so this is for Linux.
+#![cfg(all(feature = "cli", target_os = "linux"))]
+
+mod cases;
+mod check;
+mod help;
+mod input;
+mod judge;
+mod misbehaviour;
+mod program;
+mod report;
+mod solve;
