@@ -24,8 +24,11 @@ pub struct OneShot<S> {
 /// # Errors
 ///
 /// [`FilterError`] with the step whose observations contradict each other, or whose pseudo-inverse does not exist
-/// (`computed` is empty). A diffuse start is not covered: the diffuse part is ignored.
+/// (`computed` is empty); at step 0 [`ConditionError::Diffuse`] for a diffuse start, which has no covariance.
 pub fn one_shot<S: Field>(path: &Path<S>) -> Result<Vec<OneShot<S>>, FilterError<S>> {
+    if path.initial().diffuse.as_ref().is_some_and(|part| !part.is_zero()) {
+        return Err(FilterError { step: 0, source: ConditionError::Diffuse, computed: Vec::new() });
+    }
     let images = Images::of(path);
     let steps = 0..path.steps().len();
     steps

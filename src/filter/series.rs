@@ -1,13 +1,14 @@
 //! Conditioning under a covariance `κ·diffuse + finite + O(1/κ)`, by elimination of series in 1/κ.
 //!
-//! The two leading orders are closed: eliminating an observed entry divides by its variance `κ p₁ + p₀`, and
+//! Both matrices belong to a covariance that is positive semidefinite for every κ ≥ 0. The two leading orders are then
+//! closed: eliminating an observed entry divides by its variance `κ p₁ + p₀`, and
 //!
 //! * where p₁ ≠ 0, `(κa + b)(κa + b)ᵀ / (κp₁ + p₀) = κ aaᵀ/p₁ + (abᵀ + baᵀ)/p₁ − aaᵀ p₀/p₁² + O(1/κ)`;
 //! * where p₁ = 0, the covariances with that entry have no κ term either (Cauchy–Schwarz, for every κ), so the
 //!   quotient is `bbᵀ/p₀ + O(1/κ)`;
-//! * where both vanish, the entry has variance exactly zero for every κ: in the basis that diagonalises the two
-//!   parts of the prior precision a variance is a sum of `l²/(λ + μ/κ)` with λ, μ ≥ 0 not both zero, and such a
-//!   sum without terms of order κ and 1 is empty.
+//! * where both vanish, the entry has variance exactly zero for every κ: what is left of a variance after conditioning is
+//!   the least that linear combinations of the conditioning entries leave of it, so it is nonnegative and does not
+//!   decrease with the prior covariance, hence not with κ; its limit being zero, it is zero throughout.
 //!
 //! The limit of the gain needs only the leading terms.
 
@@ -121,7 +122,7 @@ fn contradiction<S: Scalar>(
         let direction = combination.block(i..i + 1, 0..combination.columns());
         let value = (&direction * innovation)[(0, 0)].clone();
         let certain = value.zero_test() == ZeroTest::Nonzero;
-        certain.then(|| Inconsistent { direction: direction.transpose(), value })
+        certain.then(|| Inconsistent { direction: direction.transpose(), value }.simplified())
     })
 }
 

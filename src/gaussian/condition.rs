@@ -8,8 +8,11 @@ use crate::scalar::{Scalar, ZeroTest};
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ConditionError<S> {
     /// The data have probability zero: they lie outside the support of the law.
-    #[error("the data contradict each other: a combination that must be zero is not")]
+    #[error("the data have probability zero: {0}")]
     Inconsistent(Inconsistent<S>),
+    /// There is no covariance to condition with: a part of it is infinite.
+    #[error("a diffuse law has no covariance; its limit is taken by the recursion")]
+    Diffuse,
     /// The observed covariance has no (certain) pseudo-inverse.
     #[error(transparent)]
     PseudoInverse(#[from] PseudoInverseError),
@@ -22,6 +25,20 @@ pub struct Inconsistent<S> {
     pub direction: Matrix<S>,
     /// The value vᵀν, which must be zero and is not.
     pub value: S,
+}
+
+impl<S: std::fmt::Display> std::fmt::Display for Inconsistent<S> {
+    /// The combination and its value, as long as they can be read.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        const READABLE: usize = 120;
+        let entries: Vec<String> = self.direction.entries().iter().map(ToString::to_string).collect();
+        let (direction, value) = (entries.join(", "), self.value.to_string());
+        f.write_str("a combination v of the observed entries has variance 0, but its innovation is not 0")?;
+        if direction.len() + value.len() <= READABLE {
+            write!(f, ": v = [{direction}], innovation {value}")?;
+        }
+        f.write_str("; add observation noise, or leave out a sensor that says the same as others")
+    }
 }
 
 /// What conditioning yields, every named quantity.
@@ -109,6 +126,17 @@ impl<S: Scalar> Inconsistent<S> {
             return None;
         }
         let value = (direction.transpose() * innovation)[(0, 0)].clone();
-        Some(Self { direction, value })
+        Some(Self { direction, value }.simplified())
+    }
+
+    /// The same proof with one as the first entry that is not zero.
+    #[must_use]
+    pub fn simplified(self) -> Self {
+        let first = self.direction.entries().iter().find(|entry| entry.zero_test() == ZeroTest::Nonzero).cloned();
+        let scaled = first.and_then(|first| {
+            let direction = self.direction.try_map(|entry| entry.over(&first)).ok()?;
+            Some(Self { direction, value: self.value.over(&first).ok()? })
+        });
+        scaled.unwrap_or(self)
     }
 }

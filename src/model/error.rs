@@ -77,7 +77,7 @@ pub enum ModelError<S> {
     #[error("{0} is empty: a system has at least one state, one sensor and one observation")]
     Empty(Field),
     /// A matrix does not fit the others.
-    #[error("{place} is {found}; {expected} is needed, for {states} states and {sensors} sensors")]
+    #[error("{place} is {found}; {expected} is needed (states: {states}, sensors: {sensors})")]
     Shape {
         /// Where.
         place: Place,
@@ -101,7 +101,7 @@ pub enum ModelError<S> {
         found: usize,
     },
     /// A list has no matrix where one is needed.
-    #[error("{place} is null, and an observation depends on it")]
+    #[error("{place} is null, and an observation depends on it: give a matrix there")]
     Absent {
         /// Where.
         place: Place,
@@ -137,6 +137,12 @@ pub enum ModelError<S> {
         /// Why.
         source: Undefined,
     },
+    /// The override for an indefinite initial covariance stands beside a diffuse part.
+    #[error(
+        "the initial covariance is not positive semidefinite and has a diffuse part: the limit that a diffuse start \
+         stands for exists for semidefinite covariances only; leave one of the two out"
+    )]
+    IndefiniteAndDiffuse,
     /// The initial law comes before a transition that has no index.
     #[error(
         "with departing timing transition 0 leads from x_0 to x_1, so the initial law must come before the \

@@ -23,7 +23,8 @@ pub struct Initial<T> {
     /// P∞, n×n: the covariance is `covariance + κ·diffuse` as κ → ∞.
     pub diffuse: Option<Matrix<T>>,
     /// Runs the recursion even if the covariance is not positive semidefinite, which no random vector
-    /// has. What comes out are then numbers, not conditional moments.
+    /// has. What comes out are then numbers, not conditional moments: variances and pseudo-determinants may be
+    /// negative, and a contradiction says nothing about the data. Not together with a diffuse part.
     pub allow_indefinite: bool,
 }
 

@@ -93,6 +93,10 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         self.check_shape(Field::InitialMean, None, mean.shape(), (n, 1))?;
         self.check_shape(Field::InitialCovariance, None, covariance.shape(), (n, n))?;
         match check_covariance(Field::InitialCovariance, None, covariance) {
+            // The series of a diffuse start rest on semidefiniteness.
+            Err(ModelError::Indefinite { .. }) if *allow_indefinite && diffuse.is_some() => {
+                return Err(ModelError::IndefiniteAndDiffuse);
+            }
             Err(ModelError::Indefinite { .. }) if *allow_indefinite => {}
             outcome => outcome?,
         }

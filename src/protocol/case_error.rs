@@ -69,6 +69,7 @@ fn described(error: &ModelError<Rational>) -> String {
         | ModelError::Asymmetric { place, .. }
         | ModelError::Indefinite { place, .. }
         | ModelError::Infinite { place, .. } => Some(place.field),
+        ModelError::IndefiniteAndDiffuse => Some(Field::InitialDiffuse),
         ModelError::NoTransitionBefore => None,
     };
     let path = field.map_or("initial.before", path);

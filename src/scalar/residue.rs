@@ -73,6 +73,12 @@ impl<const P: u64> std::fmt::Debug for Residue<P> {
     }
 }
 
+impl<const P: u64> std::fmt::Display for Residue<P> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
 impl<const P: u64> Scalar for Residue<P> {
     fn zero() -> Self {
         Self(0)

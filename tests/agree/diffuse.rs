@@ -1,9 +1,11 @@
 //! The diffuse start against least squares, and against large finite variances.
 
-use exact_kalman::filter::filter;
-use exact_kalman::gaussian::Gaussian;
+use exact_kalman::filter::{
+    Effort, FilterError, FractionFreeError, Precision, StopReason, filter, filter_fraction_free, one_shot,
+};
+use exact_kalman::gaussian::{ConditionError, Gaussian};
 use exact_kalman::matrix::Matrix;
-use exact_kalman::model::{Before, Path, System, Timing};
+use exact_kalman::model::{Before, Initial, ModelError, Noise, Observation, Path, System, Timing};
 use exact_kalman::scalar::{Rational, Scalar, ratio};
 use exact_kalman::trace::{Moments, Trace};
 use proptest::collection::vec;
@@ -192,4 +194,67 @@ fn estimated(law: &GivenDelta, n: usize, r: usize) -> Option<(Q, Q)> {
     let mean = state.mean() + &gain * residual + &slope * delta;
     let covariance = state.covariance() - &gain * cross.transpose() + slope.congruence(&uncertainty);
     Some((mean, covariance))
+}
+
+fn scalar(diffuse: bool, variance: i64, observed: bool) -> System<Rational> {
+    let one = Matrix::<Rational>::identity(1);
+    let number = |value: i64| Matrix::column(vec![ratio(value, 1)]);
+    System {
+        timing: Timing::Departing,
+        initial: Initial {
+            diffuse: diffuse.then(|| one.clone()),
+            allow_indefinite: true,
+            ..Initial::new(Before::Observation, number(0), number(variance))
+        },
+        transition: Matrix::column(vec![ratio(7, 5)]).into(),
+        observation: number(i64::from(observed)).into(),
+        noise: Noise::Covariances {
+            process: Matrix::column(vec![ratio(1, 3)]).into(),
+            cross: None,
+            observation: one.into(),
+        },
+        input: None,
+        observation_input: None,
+    }
+}
+
+fn ones(count: usize) -> Vec<Observation<Rational>> {
+    (0..count).map(|_| Observation::complete([ratio(1, 1)])).collect()
+}
+
+/// The series rest on semidefiniteness, so the override does not reach them.
+#[test]
+fn indefinite_and_diffuse_is_refused() {
+    assert!(scalar(false, -1, true).realised(&ones(1)).is_ok());
+    assert!(scalar(true, 1, true).realised(&ones(1)).is_ok());
+    assert_eq!(scalar(true, -1, true).realised(&ones(1)), Err(ModelError::IndefiniteAndDiffuse));
+}
+
+/// What has no covariance is not conditioned at one go.
+#[test]
+fn one_shot_refuses_a_diffuse_start() -> Result<(), Box<dyn std::error::Error>> {
+    let path = scalar(true, 0, true).realised(&ones(2))?;
+    match one_shot(&path) {
+        Err(FilterError { step: 0, source: ConditionError::Diffuse, .. }) => Ok(()),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// A diffuse start that no reading resolves, and an indefinite one, stop at the limit like all others.
+#[test]
+fn limits_hold_on_the_recursion_too() -> Result<(), Box<dyn std::error::Error>> {
+    let effort = Effort { precision: Precision::Exact, maximal_bits: Some(16 * 64) };
+    for system in [scalar(true, 0, false), scalar(false, -3, true)] {
+        let path = system.realised(&ones(400))?;
+        match filter_fraction_free(&path, effort) {
+            Err(FractionFreeError { step, reason: StopReason::TooLong { bits, limit: 64 }, computed }) => {
+                assert!(
+                    bits > 64 && (1..100).contains(&step) && computed.len() == step + 1,
+                    "{bits} bits at step {step}"
+                );
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    Ok(())
 }

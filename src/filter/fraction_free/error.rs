@@ -23,6 +23,9 @@ pub enum StopReason {
     /// As in the recursion.
     #[error(transparent)]
     Condition(#[from] ConditionError<Rational>),
+    /// The joint covariance of a step is not positive semidefinite: the path was not made by realising a system.
+    #[error("a covariance is not positive semidefinite")]
+    NotSemidefinite,
     /// Exact numbers lengthen with every step; these have outgrown the limit.
     #[error("exact numbers have grown to {bits} bits, beyond the limit of {limit}")]
     TooLong {

@@ -24,14 +24,12 @@ pub use error::{FractionFreeError, StopReason};
 pub use rounding::Precision;
 use state::State;
 
-use super::FilterError;
-use super::recursion::{Recursion, filter};
+use super::recursion::Recursion;
 use super::update::{Sensors, update};
-use crate::gaussian::ConditionError;
-use crate::matrix::{PseudoInverseError, Undecided};
+use crate::matrix::Matrix;
 use crate::model::{Path, Step, Timing};
 use crate::scalar::Rational;
-use crate::trace::{Quantity, Record, Values};
+use crate::trace::{Moments, Quantity, Record, Values};
 
 /// The results of one step.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,7 +45,8 @@ pub struct FractionFreeStep {
 pub struct Effort {
     /// How results are handed out.
     pub precision: Precision,
-    /// The length in bits that denominators may reach, if there is a limit.
+    /// The length in bits that denominators may reach, if there is a limit; a sixteenth of it in steps that go through
+    /// the recursion.
     pub maximal_bits: Option<u64>,
 }
 
@@ -57,7 +56,7 @@ impl From<Precision> for Effort {
     }
 }
 
-/// The values of [`filter`] except the gain, by a faster route.
+/// The values of [`filter`](super::filter) except the gain, by a faster route.
 ///
 /// With [`Precision::Exact`] they are equal to those of the recursion; with [`Precision::Rounded`] each entry is
 /// the exact one rounded to that many significant bits, which spares the greatest common divisors of lowest terms.
@@ -66,15 +65,13 @@ impl From<Precision> for Effort {
 ///
 /// # Errors
 ///
-/// [`FractionFreeError`] for the reasons of [`filter`], or when numbers outgrow the limit.
+/// [`FractionFreeError`] for the reasons of [`filter`](super::filter), or when numbers outgrow the limit.
 pub fn filter_fraction_free(
     path: &Path<Rational>,
     effort: impl Into<Effort>,
 ) -> Result<Vec<FractionFreeStep>, FractionFreeError> {
     let Effort { precision, maximal_bits } = effort.into();
-    if path.initial().allow_indefinite {
-        return by_recursion(path, precision);
-    }
+    let semidefinite = !path.initial().allow_indefinite;
     let mut start = Recursion::new(path);
     let mut predicted_already = start.is_predicted();
     let mut done: Vec<FractionFreeStep> = Vec::new();
@@ -82,9 +79,14 @@ pub fn filter_fraction_free(
     for (k, step) in path.steps().iter().enumerate() {
         let stopped = |reason, computed| FractionFreeError { step: k, reason, computed };
         if state.is_none() {
-            let Some(moments) = start.plain_state() else {
+            let Some(moments) = start.plain_state().filter(|_| semidefinite) else {
                 start.advance(step).map_err(|source| stopped(source.into(), done.clone()))?;
-                done.extend(start.records.last().map(|record| rounded(record, precision)));
+                let Some(record) = start.records.last() else { break };
+                done.push(rounded(record, precision));
+                // Fractions in lowest terms cost so much more than integers that they may grow so much less.
+                if let Some(limit) = maximal_bits.map(|limit| limit / 16).filter(|limit| length(record) > *limit) {
+                    return Err(stopped(StopReason::TooLong { bits: length(record), limit }, done));
+                }
                 predicted_already = start.is_predicted();
                 continue;
             };
@@ -105,7 +107,7 @@ pub fn filter_fraction_free(
                 done.push(results);
                 state = next;
             }
-            Err(Stop) => return Err(stopped(reason(&predicted, step, path.timing()).into(), done)),
+            Err(Stop) => return Err(stopped(reason(&predicted, step, path.timing()), done)),
         }
     }
     Ok(done)
@@ -137,22 +139,18 @@ fn advanced(
 }
 
 /// The reason why the elimination stopped, with its witness, in the words of the recursion.
-fn reason(predicted: &State, step: &Step<Rational>, timing: Timing) -> ConditionError<Rational> {
+fn reason(predicted: &State, step: &Step<Rational>, timing: Timing) -> StopReason {
     match update(predicted.moments(), &Sensors::of(step), timing) {
-        Err(reason) => reason,
-        // Both decide exactly; were they ever to disagree, nothing is answered.
-        Ok(_) => ConditionError::PseudoInverse(PseudoInverseError::Undecided(Undecided { column: 0 })),
+        Err(reason) => reason.into(),
+        Ok(_) => StopReason::NotSemidefinite,
     }
 }
 
-fn by_recursion(path: &Path<Rational>, precision: Precision) -> Result<Vec<FractionFreeStep>, FractionFreeError> {
-    let finish = |records: &[Record<Rational>]| records.iter().map(|record| rounded(record, precision)).collect();
-    match filter(path) {
-        Ok(trace) => Ok(finish(&trace.records)),
-        Err(FilterError { step, source, computed }) => {
-            Err(FractionFreeError { step, reason: source.into(), computed: finish(&computed) })
-        }
-    }
+/// The length in bits of the longest denominator that goes on to the next step.
+fn length(record: &Record<Rational>) -> u64 {
+    let Moments { covariance, diffuse, .. } = &record.filtered;
+    let entries = covariance.entries().iter().chain(diffuse.iter().flat_map(Matrix::entries));
+    entries.map(|entry| entry.denom().bits()).max().unwrap_or(0)
 }
 
 fn rounded(record: &Record<Rational>, precision: Precision) -> FractionFreeStep {
