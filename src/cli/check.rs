@@ -102,7 +102,8 @@ impl Check {
                 }
                 writeln!(
                     out,
-                    "\n17 is exact. Attainable is what is left of the answer when all data are moved by one part in 2^53.\n\
+                    "\n17 is exact. Attainable is what is left of the answer when all data are moved by one part in 2^53;\n\
+                     where an innovation covariance is singular, at most 15. Negative: wrong by so many powers of ten.\n\
                      ! marks a step with more than 2 digits fewer than attainable there; where a verdict stands beside\n\
                      the digits it is about other quantities (--format json tells all).\n\
                      Judge a filter of your own:  exact-kalman check -- python3 my_filter.py"

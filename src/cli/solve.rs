@@ -77,6 +77,13 @@ impl Solve {
                     continue;
                 }
             };
+            if case.initial.allow_indefinite {
+                eprintln!(
+                    "{}: the override for an indefinite initial covariance is set: if it is one, these are numbers of the \
+                     recursion and no conditional moments, and a contradiction says nothing about the data",
+                    case.id
+                );
+            }
             let (steps, stopped) = if self.trace { traced(&path) } else { solved(&path) };
             if let Some(Stopped { step, reason }) = &stopped {
                 eprintln!("{}: at step {step} {reason}", case.id);

@@ -8,10 +8,11 @@
 //! where an exact variance is zero, the largest that the component has in the run takes its place.
 //!
 //! **Attainable digits** are the worst of twenty answers to problems in which every nonzero datum is moved by a
-//! relative 2⁻⁵³. Where that would destroy the structure of the case (an innovation covariance is singular, a diffuse
-//! start is resolved at a step of its own), 15 count as attainable.
+//! relative 2⁻⁵³. Where that may destroy the structure of the case (an innovation covariance is singular, a diffuse
+//! start is resolved at a step of its own), only the answers count that have kept it, and never for more than 15 digits.
 //!
-//! The verdicts stand in [`Verdict`]; its 2, 4 and 6 are the only constants.
+//! The verdicts stand in [`Verdict`], with the constants 2, 4 and 6. Nothing else is tuned: 17 and 15 digits and twenty
+//! answers are what is written above.
 
 mod digits;
 mod examinee;

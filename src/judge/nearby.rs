@@ -5,7 +5,7 @@
 //! few steps: far less than the data were moved, even where numbers cancel that lie as far apart as doubles can.
 
 use super::reference::BITS;
-use crate::filter::{FractionFreeStep, Precision, filter_fraction_free};
+use crate::filter::{Effort, FractionFreeStep, Precision, filter_fraction_free};
 use crate::model::{Before, Initial, Path, Timing};
 use crate::scalar::Rational;
 use crate::trace::{Quantity, Values};
@@ -17,7 +17,10 @@ const CARRIED: u32 = 2048;
 const STRETCH: usize = 4;
 
 /// The answer to a problem, up to where it has one.
-pub(super) fn answer(path: &Path<Rational>) -> Vec<FractionFreeStep> {
+///
+/// Numbers that outgrow `maximal_bits` before a diffuse start is resolved end it, too.
+pub(super) fn answer(path: &Path<Rational>, maximal_bits: Option<u64>) -> Vec<FractionFreeStep> {
+    let effort = Effort { precision: Precision::Rounded { bits: CARRIED }, maximal_bits };
     let steps = path.steps();
     let mut initial = path.initial().clone();
     let (mut done, mut length) = (Vec::with_capacity(steps.len()), STRETCH);
@@ -27,7 +30,7 @@ pub(super) fn answer(path: &Path<Rational>) -> Vec<FractionFreeStep> {
         // A departing transition shows its effect in the step that follows it.
         let seen = if path.timing() == Timing::Departing { steps.len().min(end + 1) } else { end };
         let stretch = Path::from_parts(path.timing(), initial.clone(), steps[begin..seen].to_vec());
-        let (mut solved, stopped) = match filter_fraction_free(&stretch, Precision::Rounded { bits: CARRIED }) {
+        let (mut solved, stopped) = match filter_fraction_free(&stretch, effort) {
             Ok(solved) => (solved, false),
             Err(error) => (error.computed, true),
         };
@@ -67,7 +70,7 @@ fn shortened(step: FractionFreeStep) -> FractionFreeStep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judge::perturb::Perturbation;
+    use crate::judge::perturb::{Perturbation, Readings};
     use crate::judge::suite;
     use crate::protocol::Expect;
     use crate::scalar::{Scalar as _, ratio};
@@ -86,9 +89,9 @@ mod tests {
                 path.initial().clone(),
                 path.steps().iter().take(19).cloned().collect(),
             );
-            let moved = Perturbation::seeded(7).of(&path);
+            let moved = Perturbation::seeded(7, Readings::Moved).of(&path);
             let (rounded, exact) =
-                (answer(&moved), filter_fraction_free(&moved, Precision::Rounded { bits: 400 }).unwrap());
+                (answer(&moved, None), filter_fraction_free(&moved, Precision::Rounded { bits: 400 }).unwrap());
             assert_eq!(rounded.len(), exact.len(), "{}", case.id);
             for (step, (rounded, exact)) in rounded.iter().zip(&exact).enumerate() {
                 assert_eq!(rounded.innovation_rank, exact.innovation_rank, "{} at step {step}", case.id);

@@ -27,15 +27,24 @@ enum Kind {
     Noise,
 }
 
+/// Whether the readings are moved with the rest. Where an innovation covariance is singular, moved readings may be such
+/// as the moved system cannot produce.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Readings {
+    Moved,
+    Kept,
+}
+
 /// One seeded perturbation of a problem.
 pub(super) struct Perturbation {
     signs: Pcg64Mcg,
+    readings: Readings,
     moved: HashMap<(Kind, Matrix<Rational>), Matrix<Rational>>,
 }
 
 impl Perturbation {
-    pub(super) fn seeded(seed: u64) -> Self {
-        Self { signs: Pcg64Mcg::seed_from_u64(seed), moved: HashMap::new() }
+    pub(super) fn seeded(seed: u64, readings: Readings) -> Self {
+        Self { signs: Pcg64Mcg::seed_from_u64(seed), readings, moved: HashMap::new() }
     }
 
     /// The problem, every datum moved.
@@ -52,11 +61,7 @@ impl Perturbation {
     }
 
     fn step(&mut self, step: &Step<Rational>) -> Step<Rational> {
-        let reading = step.reading.try_map(|y| Ok::<_, std::convert::Infallible>(self.datum(y)));
-        let reading: Observation<Rational> = match reading {
-            Ok(reading) => reading,
-            Err(never) => match never {},
-        };
+        let reading = self.reading(step);
         let observation = self.once(Kind::Observation, &step.observation, Self::rows);
         let observation_input = self.once(Kind::ObservationInput, &step.observation_input, Self::rows);
         let (transition, observation_noise) = match &step.transition {
@@ -67,6 +72,23 @@ impl Perturbation {
             }
         };
         Step { transition, observation, observation_input, observation_noise, reading }
+    }
+
+    /// Moves the entries of a reading, equal ones of equal rows alike.
+    fn reading(&mut self, step: &Step<Rational>) -> Observation<Rational> {
+        if self.readings == Readings::Kept {
+            return step.reading.clone();
+        }
+        let entries = step.reading.entries();
+        let mut moved: Vec<Option<Rational>> = Vec::with_capacity(entries.len());
+        for (i, entry) in entries.iter().enumerate() {
+            let twin = (0..i).find(|&k| entries[k] == *entry && step.observation.row(k) == step.observation.row(i));
+            moved.push(match twin {
+                Some(k) => moved[k].clone(),
+                None => entry.as_ref().map(|y| self.datum(y)),
+            });
+        }
+        Observation::new(moved)
     }
 
     fn transition(
@@ -187,7 +209,7 @@ mod tests {
 
     fn moved(rows: &[Vec<Rational>], seed: u64) -> (Matrix<Rational>, Matrix<Rational>) {
         let matrix = Matrix::from_rows(rows.to_vec()).unwrap();
-        let moved = Perturbation::seeded(seed).covariance(&matrix);
+        let moved = Perturbation::seeded(seed, Readings::Moved).covariance(&matrix);
         (matrix, moved)
     }
 
@@ -300,7 +322,7 @@ mod tests {
     fn equal_rows_and_equal_matrices_stay_equal() {
         let rows = [[1, 2], [3, 0], [1, 2]].map(|row| row.map(|entry| ratio(entry, 1)).to_vec());
         let matrix = Matrix::from_rows(rows.to_vec()).unwrap();
-        let mut perturbation = Perturbation::seeded(5);
+        let mut perturbation = Perturbation::seeded(5, Readings::Moved);
         let moved = perturbation.once(Kind::Observation, &matrix, Perturbation::rows);
         assert_eq!(moved.row(0), moved.row(2));
         for (before, after) in matrix.entries().iter().zip(moved.entries()).filter(|(before, _)| !before.is_zero()) {
@@ -315,7 +337,7 @@ mod tests {
     fn every_datum_of_every_case_is_moved() {
         for case in suite().iter().filter(|case| case.expect != Expect::Refuse) {
             let path = case.problem().and_then(|problem| problem.realised()).unwrap();
-            let moved = Perturbation::seeded(1).of(&path);
+            let moved = Perturbation::seeded(1, Readings::Moved).of(&path);
             let all = |before: &Matrix<Rational>, after: &Matrix<Rational>| {
                 let mut pairs = before.entries().iter().zip(after.entries());
                 assert_eq!(before.shape(), after.shape());

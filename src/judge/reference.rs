@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::perturb::Perturbation;
+use super::perturb::{Perturbation, Readings};
 use super::scale::Largest;
 use super::{Digits, Scale, digits, nearby};
 use crate::filter::{Effort, FractionFreeError, FractionFreeStep, Precision, StopReason, filter_fraction_free};
@@ -41,13 +41,13 @@ pub struct Reference {
     pub attainable: Vec<BTreeMap<Quantity, Digits>>,
     /// The ranks of the innovation covariances, per step up to the end or to the contradiction.
     pub ranks: Vec<usize>,
-    /// Whether moving the data would destroy what the case is about: an innovation covariance is singular, or a diffuse
-    /// start would be resolved at another step. Then 15 digits count as attainable.
+    /// Whether moving the data may destroy what the case is about: an innovation covariance is singular, or a diffuse
+    /// start would be resolved at another step. Then only perturbations count that do not, and at most 15 digits.
     pub structural: bool,
     largest: Largest,
 }
 
-/// What is attainable where perturbing the data would destroy the structure of the case.
+/// The most that counts as attainable where perturbing the data may destroy the structure of the case.
 const STRUCTURAL: f64 = 15.0;
 
 impl Reference {
@@ -67,18 +67,32 @@ impl Reference {
         };
         let observed: Vec<Vec<usize>> = path.steps().iter().map(|step| step.reading.present()).collect();
         let ranks: Vec<usize> = steps.iter().map(|step| step.innovation_rank).collect();
-        let rank_deficient = ranks.iter().zip(&observed).any(|(rank, observed)| *rank < observed.len());
-        let structural = contradiction.is_some() || rank_deficient;
+        let singular = ranks.iter().zip(&observed).any(|(rank, observed)| *rank < observed.len());
         let values: Vec<_> = steps.into_iter().map(|step| step.values).collect();
         let seen = observed.iter().map(Vec::as_slice).zip(&values);
         let largest = Largest::of(&path.initial().covariance, path.sensors(), seen);
+        let structural = contradiction.is_some() || singular;
         let mut reference =
             Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, largest };
-        let answers = if structural { Vec::new() } else { perturbed_answers(path) };
-        reference.structural |= !answers.iter().all(|answer| reference.is_alike(answer));
-        reference.attainable =
-            if reference.structural { reference.everywhere(Digits::new(STRUCTURAL)) } else { reference.kept(&answers) };
+        reference.attainable = reference.attained(path);
         Ok(reference)
+    }
+
+    /// What is left of the answer in the perturbed problems. Where they must not lose the structure of the case, only those
+    /// count that have kept it, and never for more than 15 digits.
+    fn attained(&mut self, path: &Path<Rational>) -> Vec<BTreeMap<Quantity, Digits>> {
+        let mut answers = perturbed_answers(path, Readings::Moved);
+        let all = answers.len();
+        answers.retain(|answer| self.is_alike(answer));
+        self.structural |= answers.len() < all;
+        if !self.structural {
+            return self.kept(&answers, Digits::EXACT);
+        }
+        if answers.is_empty() {
+            answers = perturbed_answers(path, Readings::Kept);
+            answers.retain(|answer| self.is_alike(answer));
+        }
+        self.kept(&answers, Digits::new(STRUCTURAL))
     }
 
     /// The scale of a quantity at a step; nothing for what is not judged there.
@@ -98,9 +112,9 @@ impl Reference {
         answer.len() == self.values.len() && answer.iter().zip(self.values.iter().zip(&self.ranks)).all(alike)
     }
 
-    /// The fewest digits that any of the answers has kept.
-    fn kept(&self, answers: &[Vec<FractionFreeStep>]) -> Vec<BTreeMap<Quantity, Digits>> {
-        let mut kept = self.everywhere(Digits::EXACT);
+    /// The fewest digits that any of the answers has kept, and no more than `most`.
+    fn kept(&self, answers: &[Vec<FractionFreeStep>], most: Digits) -> Vec<BTreeMap<Quantity, Digits>> {
+        let mut kept = self.everywhere(most);
         for (step, (kept, truth)) in kept.iter_mut().zip(&self.values).enumerate() {
             for (&quantity, kept) in kept {
                 let (Some(scale), Some(exact)) = (self.scale(step, quantity), truth.get(&quantity)) else { continue };
@@ -114,8 +128,9 @@ impl Reference {
 }
 
 /// The answers to the perturbed problems, computed side by side; their order does not depend on that.
-fn perturbed_answers(path: &Path<Rational>) -> Vec<Vec<FractionFreeStep>> {
-    let solve = |seed: u64| nearby::answer(&Perturbation::seeded(seed).of(path));
+fn perturbed_answers(path: &Path<Rational>, readings: Readings) -> Vec<Vec<FractionFreeStep>> {
+    let maximal_bits = effort(path).maximal_bits;
+    let solve = |seed: u64| nearby::answer(&Perturbation::seeded(seed, readings).of(path), maximal_bits);
     let workers = std::thread::available_parallelism().map_or(1, usize::from).min(8);
     std::thread::scope(|scope| {
         let share =

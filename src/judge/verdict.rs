@@ -16,13 +16,13 @@ const FAIR_FROM: f64 = 6.0;
 ///
 /// | verdict | when |
 /// |---|---|
-/// | agrees | every judged quantity has at most 2 digits fewer than attainable, at every step; a case that must be refused or flagged was |
+/// | agrees | every judged quantity has at most 2 digits fewer than attainable, at every step; a case that must be refused was, in whatever words, errors included; a contradiction was reported at its step, or as such without a step |
 /// | unsupported | the subject says that it does not know this kind of model |
 /// | undecided | the truth is not known to the judge |
 /// | loses N digits | some quantity has more than 2 digits fewer than attainable; N is their number, rounded up |
 /// | asymmetric | two mirrored entries of a covariance differ by more than the digits allowed |
-/// | not psd | a covariance stays indefinite when its variances are raised by a relative error of the digits allowed |
-/// | refused valid input | no estimate, and the input is blamed |
+/// | not psd | a covariance stays indefinite when its variances are raised by n times a relative error of the digits allowed |
+/// | refused valid input | the subject blames valid input, or data that the model can produce |
 /// | error | the subject says that it failed |
 /// | accepted bad input | an answer to a case that must be refused, or no word about data of probability zero |
 /// | wrong | fewer than 4 digits where 6 or more are attainable; a value that is not finite, missing or of another shape; a contradiction reported at another step than its own |

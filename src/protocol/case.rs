@@ -153,7 +153,12 @@ impl Case {
     ///
     /// [`CaseError::TooLong`], or [`CaseError::Document`] with the path of what is wrong.
     pub fn parse(text: &str) -> Result<Self, CaseError> {
-        document::parse(text).map_err(CaseError::from)
+        let case: Self = document::parse(text)?;
+        if case.id.is_empty() {
+            let message = "is empty: answers are told apart by their ids".to_owned();
+            return Err(CaseError::Document { path: "id".to_owned(), message });
+        }
+        Ok(case)
     }
 
     /// The case on one line, fields in the order of the format.

@@ -25,7 +25,10 @@ pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, DocumentError>
         // A path of «.» is the document itself.
         DocumentError::Wrong {
             path: if path == "." { String::new() } else { path },
-            message: error.inner().to_string(),
+            message: match error.inner() {
+                early if early.is_eof() => format!("the text ends too early: {early}"),
+                other => other.to_string(),
+            },
         }
     })?;
     let rest = |error: serde_json::Error| DocumentError::Wrong { path: String::new(), message: error.to_string() };

@@ -20,7 +20,8 @@ pub fn text(report: &Report, all: bool) -> String {
     let mut out = format!("{}\n\n{}\n\n", printable(&report.examinee), table(report));
     if report.results.iter().any(|(_, judgement)| !judgement.scores.is_empty()) {
         out += "Correct digits / attainable digits, at the step where they fall furthest behind; 17 is exact.\n";
-        out += "Attainable is what is left of the answer when all data are moved by one part in 2^53.\n";
+        out += "Attainable is what is left of the answer when all data are moved by one part in 2^53; where an\n\
+                innovation covariance is singular, at most 15. Negative digits: wrong by so many powers of ten.\n";
     }
     let findings = report.findings();
     let shown = if all { findings.len() } else { findings.len().min(SHOWN) };
@@ -111,7 +112,7 @@ fn finding(case: &Case, judgement: &Judgement) -> String {
     behind().map(described).for_each(&mut line);
     if judgement.structural && behind().next().is_some() {
         line(
-            "15 digits count as attainable: an innovation covariance is singular, which moved data would not keep"
+            "at most 15 digits count as attainable: an innovation covariance is singular, which moved data may not keep"
                 .into(),
         );
     }
