@@ -49,7 +49,9 @@ fn mistakes_are_located() {
     let message = refusal(&good[..good.len() / 2]);
     assert!(message.contains("EOF"), "{message}");
     let message = refusal(format!("{good}\n{{\"format\":"));
-    assert!(message.contains("case.json, line 2: format: EOF"), "{message}");
+    assert!(message.contains("case.json, line 2: format: the text ends too early"), "{message}");
+    let message = refusal(good.replace("\"id\":\"a\"", "\"id\":\"\""));
+    assert!(message.contains("id: is empty"), "{message}");
     // The first line counts as well, if it is a document at all.
     let message = refusal(format!("{}\n{good}", good.replace("\"timing\"", "\"time\"")));
     assert!(message.contains("case.json, line 1: time: unknown field `time`"), "{message}");
