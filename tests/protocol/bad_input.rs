@@ -151,7 +151,7 @@ fn shapes() {
     refused(walk(), "/transition", ragged, "transition[1]", &["row 1 has 0 entries"]);
     refused(walk(), "/initial/covariance", json!([["1"], []]), "initial.covariance", &["row 1"]);
     let wide = json!([["1", "0"]]);
-    refused(walk(), "/transition", wide.clone(), "transition", &["1×2", "1×1", "1 states and 1 sensors"]);
+    refused(walk(), "/transition", wide.clone(), "transition", &["1×2", "1×1", "states: 1, sensors: 1"]);
     refused(walk(), "/observation", wide.clone(), "observation", &["1×2", "1×1"]);
     refused(walk(), "/noise/process", wide.clone(), "noise.process", &["1×2", "1×1"]);
     refused(walk(), "/noise/observation", wide.clone(), "noise.observation", &["1×2", "1×1"]);
@@ -236,6 +236,10 @@ fn a_joint_noise_that_is_impossible_is_refused() {
 fn the_override_lets_an_indefinite_start_pass() {
     let sample = with(full(), "/initial/covariance", json!([["80", "500"], ["500", "80"]]));
     let sample = with(sample, "/initial/allow_indefinite", json!(true));
+    // Not beside a diffuse part, whose limit needs a semidefinite covariance.
+    assert!(refusal(&sample.to_string()).contains("has a diffuse part"));
+    let mut sample = sample;
+    sample["initial"].as_object_mut().unwrap().remove("diffuse");
     assert!(Case::parse(&sample.to_string()).unwrap().problem().unwrap().realised().is_ok());
 }
 

@@ -51,7 +51,7 @@ fn input() -> impl Strategy<Value = Option<InputTerm>> {
 
 prop_compose! {
     fn any_case()(
-        (id, about, flags) in (".{0,12}", ".{0,12}", vec("[a-z-]{1,8}", 0..3)),
+        (id, about, flags) in (".{1,12}", ".{0,12}", vec("[a-z-]{1,8}", 0..3)),
         numbers in prop_oneof![Just(Numbers::Binary64), Just(Numbers::Binary32), Just(Numbers::Exact)],
         expect in prop_oneof![Just(Expect::Estimate), Just(Expect::Refuse), Just(Expect::Flag)],
         (arriving, before, allow_indefinite) in any::<(bool, bool, bool)>(),

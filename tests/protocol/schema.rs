@@ -28,6 +28,7 @@ pub(crate) fn valid(root: &Value, schema: &Value, value: &Value) -> bool {
         },
         "const" => value == rule,
         "enum" => rule.as_array().expect("a list").contains(value),
+        "minLength" => value.as_str().is_none_or(|text| text.chars().count() as u64 >= rule.as_u64().expect("a length")),
         "minimum" => value.as_i64().is_none_or(|number| number >= rule.as_i64().expect("an integer")),
         "required" => value.as_object().is_none_or(|object| {
             rule.as_array().expect("a list").iter().all(|key| object.contains_key(key.as_str().expect("a key")))
