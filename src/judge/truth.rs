@@ -1,7 +1,13 @@
 //! What the judge knows about a case.
 
 use super::Reference;
+use crate::model::Path;
 use crate::protocol::Case;
+use crate::scalar::Rational;
+
+/// The largest work, steps times the third power of states and sensors, that is begun at all: two or three
+/// minutes where nothing is simple.
+const MAXIMAL_WORK: u64 = 1 << 21;
 
 /// What the judge knows about a case.
 #[derive(Clone, Debug)]
@@ -15,13 +21,27 @@ pub enum Truth {
 }
 
 impl Truth {
-    /// Solves a case exactly, and its perturbations.
+    /// Solves a case exactly, and its perturbations; a case that would take many minutes is left unknown.
     pub fn of(case: &Case) -> Self {
-        let path = case.problem().and_then(|problem| problem.realised());
-        match path.map(|path| Reference::of(&path)) {
-            Err(why) => Self::BadInput(why.to_string()),
-            Ok(Err(why)) => Self::Unknown(why.to_string()),
-            Ok(Ok(reference)) => Self::Known(Box::new(reference)),
+        let path = match case.problem().and_then(|problem| problem.realised()) {
+            Ok(path) => path,
+            Err(why) => return Self::BadInput(why.to_string()),
+        };
+        if work(&path) > MAXIMAL_WORK {
+            let (states, sensors, steps) = (path.states(), path.sensors(), path.steps().len());
+            return Self::Unknown(format!(
+                "{steps} steps of {states} states and {sensors} sensors are too many for exact numbers: they would take many minutes"
+            ));
+        }
+        match Reference::of(&path) {
+            Ok(reference) => Self::Known(Box::new(reference)),
+            Err(why) => Self::Unknown(why.to_string()),
         }
     }
+}
+
+/// The work of a path: its steps times the third power of its states and sensors.
+fn work(path: &Path<Rational>) -> u64 {
+    let size = |count: usize| u64::try_from(count).unwrap_or(u64::MAX);
+    size(path.states() + path.sensors()).saturating_pow(3).saturating_mul(size(path.steps().len()))
 }

@@ -76,9 +76,8 @@ fn directories_are_read_in_order_and_links_do_not_lead_in_circles() {
     for name in ["b.json", "a/z.json", "a/y.jsonl", "c.txt"] {
         directory.file(name, walk(name, &["1"]));
     }
-    for name in ["loop", "a/loop", "a/loop.json"] {
-        symlink(directory.path(), directory.path().join(name)).unwrap();
-    }
+    // One link only: were it followed, the system would end it after forty rounds.
+    symlink(directory.path(), directory.path().join("a/loop.json")).unwrap();
     let out = run(&["cases", "--cases", directory.name()]).quietly(0);
     let ids: Vec<&str> = out.lines().map(str::trim_end).collect();
     assert_eq!(ids, ["a/y.jsonl", "a/z.json", "b.json"]);

@@ -202,6 +202,16 @@ fn undecided_where_the_truth_is_too_long() {
     let judgement = judge(&case, answer);
     assert_eq!(judgement.verdict, Verdict::Undecided);
     assert!(judgement.remarks[0].contains("bits"), "{:?}", judgement.remarks);
+    // Two hundred states would take hours: that is said at once.
+    let unit: Vec<Vec<&str>> = (0..200).map(|i| (0..200).map(|j| if i == j { "1" } else { "0" }).collect()).collect();
+    let text = json!({"format": "exact-kalman/case/1", "id": "wide", "timing": "departing",
+        "initial": {"before": "observation", "mean": vec!["0"; 200], "covariance": unit},
+        "transition": unit, "observation": [vec!["1"; 200]],
+        "noise": {"process": unit, "observation": [["1"]]}, "observations": [["1"], ["1"]]});
+    let wide = Case::parse(&text.to_string()).unwrap();
+    let judgement = judge(&wide, outcome(&wide, Outcome::Answered, None));
+    assert_eq!(judgement.verdict, Verdict::Undecided);
+    assert!(judgement.remarks[0].contains("2 steps of 200 states and 1 sensors"), "{:?}", judgement.remarks);
     // A subject that does not answer is a finding all the same.
     let died = Reply::Died { status: "signal 11".into(), stderr: String::new() };
     assert_eq!(Judgement::of(Expect::Estimate, &Truth::Unknown("too long".into()), &died).verdict, Verdict::Died);
