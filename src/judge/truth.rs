@@ -5,9 +5,9 @@ use crate::model::Path;
 use crate::protocol::Case;
 use crate::scalar::Rational;
 
-/// The largest work, steps times the third power of states and sensors, that is begun at all: two or three
-/// minutes where nothing is simple.
-const MAXIMAL_WORK: u64 = 1 << 21;
+/// The largest work, steps times the third power of states and sensors, that is begun at all: about a
+/// minute where nothing is simple.
+const MAXIMAL_WORK: u64 = 1 << 18;
 
 /// What the judge knows about a case.
 #[derive(Clone, Debug)]
