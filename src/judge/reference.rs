@@ -51,7 +51,8 @@ pub struct Reference {
 const STRUCTURAL: f64 = 15.0;
 
 impl Reference {
-    /// Solves a problem and twenty perturbed ones.
+    /// Solves a problem and twenty perturbed ones; where none of these keeps the structure of the case, twenty more whose
+    /// readings are as they were.
     ///
     /// # Errors
     ///
