@@ -19,10 +19,11 @@
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
 //! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |
+//! | 6 | [`spec`] | the specification, and its entries as data |
 //! | 6 | `report` | judgements as text and JSON (feature `cli`) |
 //! | 7 | `cli` | the program `exact-kalman` (feature `cli`) |
 //!
-//! With `default-features = false` the library is floors 0 to 3 without `float` and `protocol`. The equations, with
+//! With `default-features = false` the library is floors 0 to 3 without `float` and `protocol`, and the specification. The equations, with
 //! their sources, their errata and the items that implement them, are in [`spec`].
 //!
 //! # A first example
@@ -70,7 +71,7 @@ pub mod scalar;
 pub mod trace;
 
 #[doc = include_str!("../SPEC.md")]
-pub mod spec {}
+pub mod spec;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

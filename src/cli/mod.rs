@@ -8,6 +8,7 @@ mod exit;
 mod input;
 mod judge;
 mod solve;
+mod spec;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -39,6 +40,7 @@ enum Verb {
     Check(check::Check),
     Judge(judge::JudgeAnswers),
     Cases(cases::ListCases),
+    Spec(spec::Spec),
 }
 
 /// How results are printed.
@@ -66,6 +68,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Check(verb) => verb.run(),
         Verb::Judge(verb) => verb.run(),
         Verb::Cases(verb) => verb.run(),
+        Verb::Spec(verb) => verb.run(),
     };
     match outcome {
         Ok(exit) => exit.into(),

@@ -10,7 +10,7 @@ use super::systems::{Draw, Kind};
 
 const KIND: Kind = Kind { states: 4, sensors: 3, steps: 4, adapted: true, gaps: true };
 
-/// CKS-T, CKS-3, CKS-4, CKS-8, CKS-K, CKS-R; HV-3 for d = 1; at least a third of the systems have a singular innovation.
+/// CKS-1a, CKS-1b, CKS-T, CKS-3, CKS-4, CKS-8, CKS-K, CKS-R; HV-3 for d = 1; at least a third of the systems have a singular innovation.
 #[test]
 fn filter_eq_one_shot_conditioning() -> Result<(), Box<dyn std::error::Error>> {
     let mut runner = TestRunner::new(Config { cases: 3000, failure_persistence: None, ..Config::default() });

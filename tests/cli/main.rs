@@ -10,3 +10,4 @@ mod misbehaviour;
 mod program;
 mod report;
 mod solve;
+mod spec;

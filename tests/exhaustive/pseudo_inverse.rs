@@ -1,7 +1,7 @@
 //! HV-L3 and CKS-L3-pinv against explicit formulas and enumeration; the pseudo-determinant against minors.
 
 use exact_kalman::matrix::{Matrix, PseudoInverseError};
-use exact_kalman::scalar::{Field, OrderedField, Rational, Residue, Scalar};
+use exact_kalman::scalar::{Field, OrderedField, Rational, Residue, Scalar, ratio};
 
 use crate::minors::{adjugate, determinant, principal, rank};
 use crate::worlds::{matrices, residues, signs};
@@ -49,7 +49,7 @@ fn over_the_rationals_it_always_exists() {
     assert_eq!(counts, [3, 32 + 104 + 104, 48 + 624 + 624]);
 }
 
-/// All 3×3 matrices of signs: the four equations, which have one solution at most.
+/// CKS-L3-pinv, HV-L3: all 3×3 matrices of signs: the four equations, which have one solution at most.
 #[test]
 fn three_by_three_obeys_penrose() {
     let mut count = 0;
@@ -119,4 +119,30 @@ fn pseudo_determinant_is_a_sum_of_minors() {
     }
     assert_eq!(counts.iter().sum::<i32>(), 3 + 81 + 19_683);
     assert!(counts[1] > 300 && counts[2] > 1000 && counts[3] > 1000, "{counts:?}");
+}
+
+/// CKS-L3-pinv: of all X with PXP = P the one with X = UPᵀ = PᵀV, for all 2×2 matrices P and X of small numbers; the
+/// first condition alone has other solutions.
+#[test]
+fn two_conditions_determine_it() {
+    // X = UPᵀ if the rows of X lie in the row space of Pᵀ, X = PᵀV if its columns lie in the column space.
+    let has_both = |x: &Matrix<Rational>, p: &Matrix<Rational>| {
+        let t = p.transpose();
+        t.above(x).rank() == t.rank() && t.beside(x).rank() == t.rank()
+    };
+    let (mut met, mut first_only) = (0, 0);
+    for p in matrices(2, 2, &signs()) {
+        let known = p.pseudo_inverse().unwrap_or_else(|error| panic!("{error}"));
+        assert!(&p * &known * &p == p && has_both(&known, &p), "{p}");
+        for x in matrices(2, 2, &[-2, -1, 0, 1, 2].map(|twice| ratio(twice, 2))) {
+            if &p * &x * &p == p {
+                assert_eq!(has_both(&x, &p), x == known, "{p} {x}");
+                met += usize::from(x == known);
+                first_only += usize::from(x != known);
+            }
+        }
+    }
+    assert!(met > 40 && first_only > 40, "{met} {first_only}");
+    let (p, x) = (Matrix::from_integers(&[[1, 0], [0, 0]]), Matrix::<Rational>::from_integers(&[[1, 1], [1, 5]]));
+    assert!(&p * &x * &p == p && !has_both(&x, &p));
 }

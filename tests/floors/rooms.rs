@@ -3,7 +3,7 @@
 use crate::imports::rooms_named;
 
 /// The floor of each room, those that are planned included.
-const FLOORS: [(&str, u32); 18] = [
+const FLOORS: [(&str, u32); 19] = [
     ("scalar", 0),
     ("matrix", 1),
     ("gaussian", 2),
@@ -20,6 +20,7 @@ const FLOORS: [(&str, u32); 18] = [
     ("reproduce", 5),
     ("judge", 5),
     ("report", 6),
+    ("spec", 6),
     ("cli", 7),
     ("lib", 8),
 ];

@@ -1,4 +1,4 @@
 //! Published numbers, and the claims of the papers, one module each.
 
-mod chen_kumar_van_schuppen;
+mod chen;
 mod nile;
