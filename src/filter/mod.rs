@@ -4,11 +4,14 @@
 //! * [`one_shot`] conditions the joint Gaussian of (x_0, w_1, …, w_T) once: slow, one formula, no recursion;
 //! * [`filter_fraction_free`] is a fast route for the rationals: integer matrices over one denominator.
 //!
-//! The three agree with `==` on the rationals. A diffuse start is resolved by exact series in 1/κ. Holds no
+//! [`predict_ahead`] looks d steps ahead, and [`one_shot_ahead`] is its second route.
+//!
+//! All agree with `==` on the rationals. A diffuse start is resolved by exact series in 1/κ. Holds no
 //! floating point: the f64 filters live in a room of their own that does not know this one.
 //!
 //! Papers: Chen, Kumar, van Schuppen 1989, section 3; Hilgert, Vila 1999 for departing timing.
 
+mod ahead;
 mod diffuse;
 mod error;
 mod fraction_free;
@@ -17,7 +20,8 @@ mod recursion;
 mod series;
 mod update;
 
+pub use ahead::{StepAhead, TraceAhead, predict_ahead};
 pub use error::FilterError;
 pub use fraction_free::{Effort, FractionFreeError, FractionFreeStep, Precision, StopReason, filter_fraction_free};
-pub use one_shot::{OneShot, one_shot};
+pub use one_shot::{OneShot, one_shot, one_shot_ahead};
 pub use recursion::filter;

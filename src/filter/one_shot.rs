@@ -3,7 +3,7 @@
 use super::FilterError;
 use crate::gaussian::{ConditionError, Gaussian};
 use crate::matrix::Matrix;
-use crate::model::{Before, Path, Step, Timing, Transition};
+use crate::model::{Before, Path, PathAhead, Step, Timing, Transition};
 use crate::scalar::Field;
 
 /// The conditional laws of x_k without and with y_k.
@@ -26,10 +26,8 @@ pub struct OneShot<S> {
 /// [`FilterError`] with the step whose observations contradict each other, or whose pseudo-inverse does not exist
 /// (`computed` is empty); at step 0 [`ConditionError::Diffuse`] for a diffuse start, which has no covariance.
 pub fn one_shot<S: Field>(path: &Path<S>) -> Result<Vec<OneShot<S>>, FilterError<S>> {
-    if path.initial().diffuse.as_ref().is_some_and(|part| !part.is_zero()) {
-        return Err(FilterError { step: 0, source: ConditionError::Diffuse, computed: Vec::new() });
-    }
-    let images = Images::of(path);
+    refuse_diffuse(path)?;
+    let images = Images::of(path, &[]);
     let steps = 0..path.steps().len();
     steps
         .map(|k| {
@@ -38,6 +36,30 @@ pub fn one_shot<S: Field>(path: &Path<S>) -> Result<Vec<OneShot<S>>, FilterError
             laws.map_err(|source| FilterError { step: k, source, computed: Vec::new() })
         })
         .collect()
+}
+
+/// The laws of the next d states given the first observations, each by conditioning the joint Gaussian once: entry j holds
+/// those of x_j, …, x_{j+d−1} given y_0, …, y_{j−1}, as far as there are transitions.
+///
+/// # Errors
+///
+/// As for [`one_shot`].
+pub fn one_shot_ahead<S: Field>(path: &PathAhead<S>) -> Result<Vec<Vec<Gaussian<S>>>, FilterError<S>> {
+    refuse_diffuse(path.path())?;
+    let images = Images::of(path.path(), path.beyond());
+    let laws = (0..=path.path().steps().len()).map(|known| {
+        let states = known..images.states.len().min(known.saturating_add(path.steps_ahead().get()));
+        let laws = states.map(|k| images.given(k, known)).collect::<Result<_, _>>();
+        laws.map_err(|source| FilterError { step: known.saturating_sub(1), source, computed: Vec::new() })
+    });
+    laws.collect()
+}
+
+fn refuse_diffuse<S: Field>(path: &Path<S>) -> Result<(), FilterError<S>> {
+    if path.initial().diffuse.as_ref().is_some_and(|part| !part.is_zero()) {
+        return Err(FilterError { step: 0, source: ConditionError::Diffuse, computed: Vec::new() });
+    }
+    Ok(())
 }
 
 /// An affine function of the sources (x_0, noises): `matrix · sources + offset`.
@@ -66,20 +88,22 @@ impl<S: Field> Affine<S> {
 /// States and observed entries as affine functions of the sources.
 struct Images<S> {
     sources: Gaussian<S>,
+    /// Those beyond the last observation included.
     states: Vec<Affine<S>>,
     readings: Vec<(Affine<S>, Matrix<S>)>,
 }
 
 impl<S: Field> Images<S> {
-    fn of(path: &Path<S>) -> Self {
+    fn of(path: &Path<S>, beyond: &[Transition<S>]) -> Self {
         let initial = path.initial();
         let (n, m) = (path.states(), path.sensors());
-        let sources =
-            path.steps().iter().fold(law(initial.mean.clone(), initial.covariance.clone()), |sources, step| {
-                sources.joined(&noise(step, n))
-            });
-        // The sources of step k: first n for its transition, then m for its observation.
-        let place = |k: usize| n + k * (n + m);
+        let start = law(initial.mean.clone(), initial.covariance.clone());
+        let sources = path.steps().iter().fold(start, |sources, step| sources.joined(&noise(step, n)));
+        let unobserved = |transition: &Transition<S>| law(Matrix::zeros(n, 1), transition.noise.clone());
+        let sources = beyond.iter().fold(sources, |sources, transition| sources.joined(&unobserved(transition)));
+        // The sources of step k: first n for its transition, then m for its observation; beyond the last, n each.
+        let last = path.steps().len();
+        let place = |k: usize| n + k.min(last) * (n + m) + k.saturating_sub(last) * n;
         let total = sources.dimension();
         let start =
             Affine { matrix: Matrix::identity(n).beside(&Matrix::zeros(n, total - n)), offset: Matrix::zeros(n, 1) };
@@ -87,6 +111,8 @@ impl<S: Field> Images<S> {
             state.mapped(&transition.matrix, &transition.input).plus_source(place(k))
         };
         let (mut states, mut readings, mut state) = (Vec::new(), Vec::new(), start);
+        // Whether the path leads to a state beyond the last observed one.
+        let mut ahead = false;
         for (k, step) in path.steps().iter().enumerate() {
             if let (Some(transition), Timing::Arriving) = (&step.transition, path.timing())
                 && (k > 0 || initial.before == Before::Transition)
@@ -101,7 +127,15 @@ impl<S: Field> Images<S> {
             states.push(state.clone());
             if let (Some(transition), Timing::Departing) = (&step.transition, path.timing()) {
                 state = moved(&state, transition, k);
+                ahead = k + 1 == last;
             }
+        }
+        if ahead {
+            states.push(state.clone());
+        }
+        for (k, transition) in (last..).zip(beyond) {
+            state = moved(&state, transition, k);
+            states.push(state.clone());
         }
         Self { sources, states, readings }
     }

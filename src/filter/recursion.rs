@@ -95,6 +95,12 @@ impl<S: Scalar> Recursion<S> {
         self.predicted
     }
 
+    /// The law of the state that the next step observes, if `transition` leads into it.
+    pub(super) fn next(&self, transition: Option<&Transition<S>>) -> Option<Moments<S>> {
+        let state = self.state.as_ref()?;
+        if self.predicted { Some(state.clone()) } else { Some(propagated(state, transition?)) }
+    }
+
     pub(super) fn advance(&mut self, step: &Step<S>) -> Result<(), ConditionError<S>> {
         // A path has a transition wherever a later observation depends on it; without a state there is none.
         let Some(state) = self.state.take() else { return Ok(()) };
@@ -171,7 +177,9 @@ pub(super) fn propagated<S: Scalar>(state: &Moments<S>, transition: &Transition<
 ///
 /// HV-3: `x⁺ = A x⁻ + B u + (A Γ + DFᵀ) S⁺ ν`
 ///
-/// Its covariance is `P⁺ = A P⁻ Aᵀ + DDᵀ − (A Γ + DFᵀ) S⁺ (A Γ + DFᵀ)ᵀ`.
+/// HV-4: `P(k+1|k) = A(k)P(k|k−1)Aᵀ(k) + D(k)Dᵀ(k) − K(k)[C(k−1)P(k|k−1)Aᵀ(k) + F(k−1)Dᵀ(k)]`
+///
+/// HV-5: `K(k) = [A(k)P(k|k−1)Cᵀ(k−1) + D(k)Fᵀ(k−1)][C(k−1)P(k|k−1)Cᵀ(k−1) + F(k−1)Fᵀ(k−1)]⁺`
 fn departed<S: Scalar>(
     record: &Record<S>,
     pseudo_inverse: &Matrix<S>,

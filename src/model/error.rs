@@ -91,12 +91,17 @@ pub enum ModelError<S> {
         sensors: usize,
     },
     /// A list of one matrix per step has another length than the list of observations.
-    #[error("{field} lists {found} steps where there are {expected} observations: give one entry per observation")]
+    #[error(
+        "{field} lists {found} steps where there are {expected} observations: give one entry per observation{}",
+        and_beyond(*beyond)
+    )]
     Length {
         /// Which list.
         field: Field,
         /// The number of observations.
         expected: usize,
+        /// How many entries it may have beyond them.
+        beyond: usize,
         /// The length found.
         found: usize,
     },
@@ -149,4 +154,8 @@ pub enum ModelError<S> {
          observation; predict it once, or use arriving timing"
     )]
     NoTransitionBefore,
+}
+
+fn and_beyond(beyond: usize) -> String {
+    if beyond == 0 { String::new() } else { format!(", and at most {beyond} beyond the last") }
 }

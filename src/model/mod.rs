@@ -3,13 +3,14 @@
 //! A [`System`] is a description: every matrix and input of CKS (1) constant, one per step, or a function of
 //! the past observations. [`System::realised`] evaluates it along given observations, checks everything once
 //! (shapes, symmetry, definiteness, each with a witness) and returns a [`Path`]: what filters work on.
-//! Holds no filter.
+//! [`System::realised_ahead`] does so for predictors, which need more and may know less. Holds no filter.
 //!
 //! **Index rule.** k counts observations, from 0; the observation matrix, its noise and its input with index k
 //! belong to y_k. What a transition with index k does is said by [`Timing`].
 //!
 //! Papers: Chen, Kumar, van Schuppen 1989, section 1; Hilgert, Vila 1999 for the other timing.
 
+mod ahead;
 mod coefficient;
 mod error;
 mod initial;
@@ -17,7 +18,9 @@ mod observation;
 mod path;
 mod realise;
 mod system;
+mod timing;
 
+pub use ahead::PathAhead;
 pub use coefficient::{Coefficient, Past};
 pub use error::{Field, ModelError, Place};
 pub use initial::{Before, Initial};

@@ -97,7 +97,7 @@ impl<T> Path<T> {
 }
 
 impl<T> Transition<T> {
-    fn try_map<U, E>(&self, mut image: impl FnMut(&T) -> Result<U, E>) -> Result<Transition<U>, E> {
+    pub(super) fn try_map<U, E>(&self, mut image: impl FnMut(&T) -> Result<U, E>) -> Result<Transition<U>, E> {
         Ok(Transition {
             matrix: self.matrix.try_map(&mut image)?,
             input: self.input.try_map(&mut image)?,

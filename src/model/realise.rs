@@ -18,10 +18,7 @@ impl<S: OrderedField> System<S> {
     ///
     /// [`ModelError`] with the place, and a vector v with vᵀPv < 0 where a covariance is indefinite.
     pub fn realised(&self, observations: &[Observation<S>]) -> Result<Path<S>, ModelError<S>> {
-        let realisation = Realisation::of(self, observations)?;
-        realisation.check_initial()?;
-        let steps = (0..observations.len()).map(|k| realisation.step(k)).collect::<Result<_, _>>()?;
-        Ok(Path::from_parts(self.timing, self.initial.clone(), steps))
+        Realisation::of(self, observations, Reach::FILTER)?.path()
     }
 }
 
@@ -31,15 +28,34 @@ type TransitionWithNoise<S> = (Option<Transition<S>>, Matrix<S>);
 /// The blocks Q, DFᵀ and R of the joint noise covariance.
 type JointNoise<S> = (Matrix<S>, Matrix<S>, Matrix<S>);
 
-struct Realisation<'a, S> {
+/// How far a realisation looks.
+#[derive(Clone, Copy)]
+pub(super) struct Reach {
+    /// d: the transition into x_s is shown y_0, …, y_{s−d}.
+    pub(super) ahead: usize,
+    /// How many entries a list of transitions may have beyond the last observation.
+    pub(super) beyond: usize,
+}
+
+impl Reach {
+    /// What filtering needs.
+    const FILTER: Self = Self { ahead: 1, beyond: 0 };
+}
+
+pub(super) struct Realisation<'a, S> {
     system: &'a System<S>,
     observations: &'a [Observation<S>],
     states: usize,
     sensors: usize,
+    reach: Reach,
 }
 
 impl<'a, S: OrderedField> Realisation<'a, S> {
-    fn of(system: &'a System<S>, observations: &'a [Observation<S>]) -> Result<Self, ModelError<S>> {
+    pub(super) fn of(
+        system: &'a System<S>,
+        observations: &'a [Observation<S>],
+        reach: Reach,
+    ) -> Result<Self, ModelError<S>> {
         let states = system.initial.mean.rows();
         let sensors = observations.first().map_or(0, Observation::dimension);
         if states == 0 {
@@ -51,7 +67,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         if system.timing == Timing::Departing && system.initial.before == Before::Transition {
             return Err(ModelError::NoTransitionBefore);
         }
-        let realisation = Self { system, observations, states, sensors };
+        let realisation = Self { system, observations, states, sensors, reach };
         for (k, observation) in observations.iter().enumerate() {
             let found = Shape { rows: observation.dimension(), columns: 1 };
             realisation.check_shape(Field::Observations, Some(k), found, (sensors, 1))?;
@@ -60,13 +76,25 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         Ok(realisation)
     }
 
+    /// The checked path.
+    pub(super) fn path(&self) -> Result<Path<S>, ModelError<S>> {
+        self.check_initial()?;
+        let steps = (0..self.observations.len()).map(|k| self.step(k)).collect::<Result<_, _>>()?;
+        Ok(Path::from_parts(self.system.timing, self.system.initial.clone(), steps))
+    }
+
     fn check_lengths(&self) -> Result<(), ModelError<S>> {
         let expected = self.observations.len();
         for (field, coefficient) in self.system.coefficients() {
+            let moves = matches!(
+                field,
+                Field::Transition | Field::ProcessFactor | Field::ProcessNoise | Field::InputMatrix | Field::Input
+            );
+            let beyond = if moves { self.reach.beyond } else { 0 };
             if let Coefficient::PerStep(values) = coefficient
-                && values.len() != expected
+                && !(expected..=expected.saturating_add(beyond)).contains(&values.len())
             {
-                return Err(ModelError::Length { field, expected, found: values.len() });
+                return Err(ModelError::Length { field, expected, beyond, found: values.len() });
             }
         }
         Ok(())
@@ -120,18 +148,42 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
     }
 
     fn transition_with_noise(&self, k: usize) -> Result<TransitionWithNoise<S>, ModelError<S>> {
-        let n = self.states;
-        let seen = self.past_of_transition(k);
         if !self.has_transition(k) {
             let observation_noise = self.observation_noise(k)?;
             return Ok((None, observation_noise));
         }
+        let (matrix, input) = self.motion(k)?;
+        let (noise, cross_noise, observation_noise) = self.joint_noise(k)?;
+        Ok((Some(Transition { matrix, input, noise, cross_noise }), observation_noise))
+    }
+
+    /// Transition k, beyond the last observation; nothing if a list has no entry for it.
+    pub(super) fn transition_beyond(&self, k: usize) -> Result<Option<Transition<S>>, ModelError<S>> {
+        // No reading shares its noise with this transition.
+        let mut needed = self.system.transition_fields().filter(|(field, _)| *field != Field::CrossNoise);
+        if !needed.all(|(_, coefficient)| coefficient.has(k)) {
+            return Ok(None);
+        }
+        let (matrix, input) = self.motion(k)?;
+        let noise = match &self.system.noise {
+            Noise::Factors { process, .. } => {
+                let d = evaluated(Field::ProcessFactor, process, k, self.past_of_transition(k))?;
+                self.check_shape(Field::ProcessFactor, Some(k), d.shape(), (self.states, d.columns()))?;
+                &d * d.transpose()
+            }
+            Noise::Covariances { process, .. } => self.process_noise(k, process)?,
+        };
+        Ok(Some(Transition { matrix, input, noise, cross_noise: Matrix::zeros(self.states, self.sensors) }))
+    }
+
+    /// A and B u.
+    fn motion(&self, k: usize) -> Result<(Matrix<S>, Matrix<S>), ModelError<S>> {
+        let (n, seen) = (self.states, self.past_of_transition(k));
         let matrix = evaluated(Field::Transition, &self.system.transition, k, seen)?;
         self.check_shape(Field::Transition, Some(k), matrix.shape(), (n, n))?;
         let fields = (Field::InputMatrix, Field::Input);
         let input = self.input(fields, self.system.input.as_ref(), k, seen, n)?;
-        let (noise, cross_noise, observation_noise) = self.joint_noise(k)?;
-        Ok((Some(Transition { matrix, input, noise, cross_noise }), observation_noise))
+        Ok((matrix, input))
     }
 
     /// Whether transition k exists. The one that no observation depends on may be left out.
@@ -149,11 +201,13 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         Past::new(&self.observations[..k])
     }
 
+    /// What the transition with index k is shown: y_0, …, y_{s−d} if it leads into x_s.
     fn past_of_transition(&self, k: usize) -> Past<'a, S> {
-        match self.system.timing {
-            Timing::Arriving => Past::new(&self.observations[..k]),
-            Timing::Departing => Past::new(&self.observations[..=k]),
-        }
+        let state = match self.system.timing {
+            Timing::Arriving => k,
+            Timing::Departing => k + 1,
+        };
+        Past::new(&self.observations[..(state + 1).saturating_sub(self.reach.ahead)])
     }
 
     fn input(
@@ -196,6 +250,14 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         }
     }
 
+    fn process_noise(&self, k: usize, process: &Coefficient<S>) -> Result<Matrix<S>, ModelError<S>> {
+        let (n, seen) = (self.states, self.past_of_transition(k));
+        let process = evaluated(Field::ProcessNoise, process, k, seen)?;
+        self.check_shape(Field::ProcessNoise, Some(k), process.shape(), (n, n))?;
+        check_covariance(Field::ProcessNoise, Some(k), &process)?;
+        Ok(process)
+    }
+
     fn joint_noise(&self, k: usize) -> Result<JointNoise<S>, ModelError<S>> {
         let (n, m) = (self.states, self.sensors);
         let seen = self.past_of_transition(k);
@@ -208,9 +270,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
                 Ok((&d * d.transpose(), d * f.transpose(), observation_noise))
             }
             Noise::Covariances { process, cross, .. } => {
-                let process = evaluated(Field::ProcessNoise, process, k, seen)?;
-                self.check_shape(Field::ProcessNoise, Some(k), process.shape(), (n, n))?;
-                check_covariance(Field::ProcessNoise, Some(k), &process)?;
+                let process = self.process_noise(k, process)?;
                 let Some(cross) = cross else {
                     return Ok((process, Matrix::zeros(n, m), observation_noise));
                 };

@@ -1,11 +1,15 @@
 //! Every algorithm by two routes: recursion, one-shot conditioning, other scalars, exact finite laws.
 
+mod ahead;
 mod diffuse;
 mod draws;
 mod fraction_free;
 mod gain;
+mod measurable;
 mod moments;
 mod one_shot;
 mod past;
+mod quadrature;
 mod residues;
 mod systems;
+mod timing;

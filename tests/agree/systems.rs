@@ -49,6 +49,8 @@ pub struct Draw {
     pub g: Feedback,
     /// x_0 = mean + L · initial_source.
     pub initial_source: Q,
+    /// d: the coefficients of the transition into x_s follow y_{s−d}.
+    pub lag: usize,
     /// One w per step.
     pub sources: Vec<Q>,
     /// Which entries are missing, per step.
@@ -128,6 +130,7 @@ pub fn draw(kind: Kind, tape: Vec<i8>) -> Draw {
         f: tape.feedback(m, q, kind.adapted),
         g: tape.feedback(m, 1, kind.adapted),
         initial_source: tape.matrix(rank, 1),
+        lag: 1,
         sources: (0..steps).map(|_| tape.matrix(q, 1)).collect(),
         missing: (0..steps).map(|_| (0..m).map(|_| kind.gaps && tape.rarely(6)).collect()).collect(),
     };
@@ -168,15 +171,16 @@ impl Draw {
         let mut state = &self.mean + &self.initial_factor * initial_source;
         let (mut states, mut readings): (Vec<Q>, Vec<Q>) = (Vec::new(), Vec::new());
         for (k, w) in sources.iter().enumerate() {
-            // The last reading that is known to a rule: missing entries are not.
-            let known = |k: usize, readings: &[Q]| {
-                let last = k.checked_sub(1)?;
+            // The last of the first `count` readings, as a rule knows it: missing entries it does not.
+            let known = |count: usize, readings: &[Q]| {
+                let last = count.checked_sub(1)?;
                 (!self.missing[last][0]).then(|| readings[last][(0, 0)].clone())
             };
             let before = known(k, &readings);
             if self.timing == Timing::Arriving && (k > 0 || self.before == Before::Transition) {
                 let (a, b, d) = (&self.a, &self.b, &self.d);
-                state = a.value(before.as_ref()) * &state + b.value(before.as_ref()) + d.value(before.as_ref()) * w;
+                let past = known((k + 1).saturating_sub(self.lag), &readings);
+                state = a.value(past.as_ref()) * &state + b.value(past.as_ref()) + d.value(past.as_ref()) * w;
             }
             let reading = self.c.value(before.as_ref()) * &state
                 + self.g.value(before.as_ref())
@@ -184,7 +188,7 @@ impl Draw {
             states.push(state.clone());
             readings.push(reading);
             if self.timing == Timing::Departing {
-                let now = known(k + 1, &readings);
+                let now = known((k + 2).saturating_sub(self.lag), &readings);
                 let (a, b, d) = (&self.a, &self.b, &self.d);
                 state = a.value(now.as_ref()) * &state + b.value(now.as_ref()) + d.value(now.as_ref()) * w;
             }
@@ -212,5 +216,17 @@ impl Draw {
     /// q, the dimension of w.
     pub fn d_columns(&self) -> usize {
         self.d.base.columns()
+    }
+}
+
+impl Feedback {
+    /// Whether it follows the data.
+    pub fn is_adapted(&self) -> bool {
+        self.slope.is_some()
+    }
+
+    /// What it is without data.
+    pub fn base(&self) -> &Q {
+        &self.base
     }
 }
