@@ -1,17 +1,20 @@
 //! `solve`: the exact answer to a case.
 
 use std::io::Write;
+use std::num::NonZero;
 use std::path::PathBuf;
 
 use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input;
-use crate::filter::{FractionFreeError, FractionFreeStep, Precision, filter, filter_fraction_free};
+use crate::filter::{
+    FilterError, FractionFreeError, FractionFreeStep, Precision, StepAhead, filter, filter_fraction_free, predict_ahead,
+};
 use crate::matrix::Matrix;
-use crate::model::Path;
-use crate::protocol::{Answer, AnswerNumber, Case, Decimal, Outcome};
+use crate::model::{Path, PathAhead};
+use crate::protocol::{Answer, AnswerNumber, Case, CaseError, Decimal, LawAhead, Outcome};
 use crate::scalar::Rational;
-use crate::trace::{Record, Values};
+use crate::trace::{Moments, Quantity, Record, Values};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -19,6 +22,7 @@ Examples:
   exact-kalman solve examples/cases/nile.json --last --digits 24
   exact-kalman solve examples/cases/walk.json --exact             as fractions
   exact-kalman solve examples/cases/walk.json --trace             every named quantity
+  exact-kalman solve examples/cases/nile.json --last --ahead 3    and the next three states
   exact-kalman cases --only basic --format json | exact-kalman solve - --format json
 
 A case that is no valid problem is refused, with the reason; the others are answered all the same. Exit
@@ -43,15 +47,28 @@ pub(super) struct Solve {
     /// the parts of the likelihood.
     #[arg(long)]
     trace: bool,
+    /// Also the mean and the covariance of so many next states, given the readings up to each step (slower). Lists of
+    /// transitions may go on beyond the last reading, and prediction ends where they do.
+    #[arg(long, value_name = "STEPS", value_parser = ahead)]
+    ahead: Option<NonZero<usize>>,
     /// How to print the answers; JSON is that of docs/PROTOCOL.md, one answer on each line.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+}
+
+/// The most steps ahead that are printed.
+const MAXIMAL_STEPS_AHEAD: usize = 1000;
+
+fn ahead(text: &str) -> Result<NonZero<usize>, String> {
+    let steps = text.parse().ok().and_then(NonZero::new).filter(|steps| steps.get() <= MAXIMAL_STEPS_AHEAD);
+    steps.ok_or_else(|| format!("from 1 to {MAXIMAL_STEPS_AHEAD} steps"))
 }
 
 /// What is shown of a step.
 struct Shown {
     values: Values<Rational>,
     more: Vec<(String, Matrix<Rational>)>,
+    ahead: Vec<Moments<Rational>>,
 }
 
 /// Why there is no answer from some step on.
@@ -65,8 +82,8 @@ impl Solve {
         let mut out = std::io::stdout().lock();
         let mut exit = Exit::Clean;
         for case in input::cases(&self.case)? {
-            let path = match case.problem().and_then(|problem| problem.realised()) {
-                Ok(path) => path,
+            let (steps, stopped) = match self.results(&case) {
+                Ok(results) => results,
                 // One bad case does not hide the others.
                 Err(why) => {
                     eprintln!("error: case {:?}: {why}", case.id);
@@ -84,7 +101,6 @@ impl Solve {
                     case.id
                 );
             }
-            let (steps, stopped) = if self.trace { traced(&path) } else { solved(&path) };
             if let Some(Stopped { step, reason }) = &stopped {
                 eprintln!("{}: at step {step} {reason}", case.id);
                 if exit == Exit::Clean {
@@ -93,10 +109,19 @@ impl Solve {
             }
             match self.format {
                 Format::Text => self.write_text(&mut out, &case, &steps)?,
-                Format::Json => writeln!(out, "{}", self.answer(&case, steps, stopped))?,
+                Format::Json => writeln!(out, "{}", self.answer(&case, &steps, stopped))?,
             }
         }
         Ok(exit)
+    }
+
+    fn results(&self, case: &Case) -> Result<(Vec<Shown>, Option<Stopped>), CaseError> {
+        let problem = case.problem()?;
+        Ok(match self.ahead {
+            Some(steps_ahead) => predicted(&problem.realised_ahead(steps_ahead)?, self.trace),
+            None if self.trace => traced(&problem.realised()?),
+            None => solved(&problem.realised()?),
+        })
     }
 
     fn number(&self, value: &Rational) -> String {
@@ -109,7 +134,8 @@ impl Solve {
             writeln!(out, "{} · step {step}", case.id)?;
             let named = shown.values.iter().map(|(quantity, matrix)| (quantity.to_string(), matrix));
             let more = shown.more.iter().map(|(name, matrix)| (name.clone(), matrix));
-            let all: Vec<_> = named.chain(more).collect();
+            let ahead = (1..).zip(&shown.ahead).flat_map(|(i, law)| named_ahead(i, law, self.trace));
+            let all: Vec<_> = named.chain(more).chain(ahead).collect();
             if all.is_empty() {
                 writeln!(out, "  (the start is diffuse, and not yet resolved)")?;
             }
@@ -130,7 +156,7 @@ impl Solve {
         }
     }
 
-    fn answer(&self, case: &Case, steps: Vec<Shown>, stopped: Option<Stopped>) -> String {
+    fn answer(&self, case: &Case, steps: &[Shown], stopped: Option<Stopped>) -> String {
         if self.exact {
             return answer_line(case, steps, stopped, Rational::clone);
         }
@@ -140,14 +166,18 @@ impl Solve {
 
 fn answer_line<T: AnswerNumber>(
     case: &Case,
-    steps: Vec<Shown>,
+    steps: &[Shown],
     stopped: Option<Stopped>,
     number: impl Fn(&Rational) -> T,
 ) -> String {
-    let values = |shown: Shown| -> Values<T> {
-        shown.values.into_iter().map(|(quantity, matrix)| (quantity, matrix.map(&number))).collect()
+    let values = |shown: &Shown| -> Values<T> {
+        shown.values.iter().map(|(quantity, matrix)| (*quantity, matrix.map(&number))).collect()
     };
-    let mut answer = Answer::answered(&case.id, steps.into_iter().map(values).collect());
+    let law = |Moments { mean, covariance, diffuse }: &Moments<Rational>| {
+        diffuse.is_none().then(|| LawAhead { mean: mean.map(&number), covariance: covariance.map(&number) })
+    };
+    let mut answer = Answer::answered(&case.id, steps.iter().map(values).collect());
+    answer.ahead = steps.iter().map(|shown| shown.ahead.iter().map(law).collect()).collect();
     if let Some(Stopped { step, reason }) = stopped {
         answer.outcome = Outcome::Flagged;
         answer.step = Some(step);
@@ -162,7 +192,7 @@ fn refusal(case: &Case, why: String) -> String {
 }
 
 fn solved(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {
-    let show = |step: FractionFreeStep| Shown { values: step.values, more: Vec::new() };
+    let show = |step: FractionFreeStep| Shown { values: step.values, more: Vec::new(), ahead: Vec::new() };
     match filter_fraction_free(path, Precision::Exact) {
         Ok(steps) => (steps.into_iter().map(show).collect(), None),
         Err(FractionFreeError { step, reason, computed }) => {
@@ -177,6 +207,37 @@ fn traced(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {
         Err(error) => (error.computed, Some(Stopped { step: error.step, reason: error.source.to_string() })),
     };
     (records.iter().map(everything).collect(), stopped)
+}
+
+/// The predictor, with every named quantity of its records or with those that are shown without being asked for.
+fn predicted(path: &PathAhead<Rational>, trace: bool) -> (Vec<Shown>, Option<Stopped>) {
+    let (computed, stopped) = match predict_ahead(path) {
+        Ok(computed) => (computed, None),
+        Err(FilterError { step, source, computed }) => (computed, Some(Stopped { step, reason: source.to_string() })),
+    };
+    let show = |StepAhead { record, ahead }: StepAhead<Rational>| {
+        let mut shown = everything(&record);
+        if !trace {
+            shown.values.remove(&Quantity::Gain);
+            shown.more.clear();
+        }
+        Shown { ahead, ..shown }
+    };
+    (computed.steps.into_iter().map(show).collect(), stopped)
+}
+
+/// The moments of a state i steps ahead, by name; of one that is still diffuse only if everything is asked for.
+fn named_ahead(i: usize, law: &Moments<Rational>, everything: bool) -> Vec<(String, &Matrix<Rational>)> {
+    let Moments { mean, covariance, diffuse } = law;
+    match diffuse {
+        None => vec![(format!("mean {i} ahead"), mean), (format!("covariance {i} ahead"), covariance)],
+        Some(diffuse) if everything => vec![
+            (format!("mean {i} ahead, its limit"), mean),
+            (format!("covariance {i} ahead of order 1"), covariance),
+            (format!("covariance {i} ahead of order kappa"), diffuse),
+        ],
+        Some(_) => Vec::new(),
+    }
 }
 
 /// Every named quantity of a record that is not among its values.
@@ -206,5 +267,5 @@ fn everything(record: &Record<Rational>) -> Shown {
             add("likelihood: pseudo-determinant", number(likelihood.pseudo_determinant.clone()));
         }
     }
-    Shown { values: record.values(), more }
+    Shown { values: record.values(), more, ahead: Vec::new() }
 }

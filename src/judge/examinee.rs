@@ -33,7 +33,14 @@ impl Examinee for Form {
     fn reply(&mut self, case: &Case) -> Reply {
         let answer = |outcome, step, message: String, steps: &[Values<f64>]| {
             let steps = steps.iter().map(numbers).collect();
-            Reply::Answer(Answer { id: case.id.clone(), outcome, step, message: Some(message), steps })
+            Reply::Answer(Answer {
+                id: case.id.clone(),
+                outcome,
+                step,
+                message: Some(message),
+                steps,
+                ahead: Vec::new(),
+            })
         };
         let path = match case.problem().and_then(|problem| problem.realised()) {
             Ok(path) => path,

@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::ahead_document::LawDocument;
 use super::answer_document::{AnswerDocument, Nested, StepDocument};
 use super::answer_number::AnswerNumber;
 use super::document::{self, DocumentError, MAXIMAL_DOCUMENT_BYTES, located};
 use super::{Number, NumberError};
-use crate::matrix::RaggedRows;
+use crate::matrix::{Matrix, RaggedRows};
 use crate::trace::Values;
 
 /// What a subject did with a case.
@@ -66,6 +67,18 @@ pub struct Answer<T = Number> {
     pub message: Option<String>,
     /// The results by name, one entry per observation.
     pub steps: Vec<Values<T>>,
+    /// For each step k the laws of x_{k+1}, x_{k+2}, … given y_0, …, y_k, nothing where there is no finite one. Empty if no
+    /// step has any; not judged.
+    pub ahead: Vec<Vec<Option<LawAhead<T>>>>,
+}
+
+/// The law of a state ahead of the observations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LawAhead<T> {
+    /// The mean, n×1.
+    pub mean: Matrix<T>,
+    /// The covariance, n×n.
+    pub covariance: Matrix<T>,
 }
 
 /// Why a text is not an answer.
@@ -118,13 +131,14 @@ impl Answer<Number> {
 impl<T: AnswerNumber> Answer<T> {
     /// An answer with estimates.
     pub fn answered(id: impl Into<String>, steps: Vec<Values<T>>) -> Self {
-        Self { id: id.into(), outcome: Outcome::Answered, step: None, message: None, steps }
+        Self { id: id.into(), outcome: Outcome::Answered, step: None, message: None, steps, ahead: Vec::new() }
     }
 
     /// The answer on one line, every number a string.
     pub fn to_line(&self) -> String {
-        let step = |values: &Values<T>| StepDocument {
+        let step = |(k, values): (usize, &Values<T>)| StepDocument {
             quantities: values.iter().map(|(name, matrix)| (*name, Nested::of(*name, matrix))).collect(),
+            ahead: self.ahead.get(k).into_iter().flatten().map(|law| law.as_ref().map(LawDocument::of)).collect(),
         };
         document::line(&AnswerDocument {
             id: self.id.clone(),
@@ -132,7 +146,7 @@ impl<T: AnswerNumber> Answer<T> {
             numbers: T::NUMBERS,
             step: self.step,
             message: self.message.clone(),
-            steps: self.steps.iter().map(step).collect(),
+            steps: self.steps.iter().enumerate().map(step).collect(),
         })
     }
 }

@@ -8,6 +8,7 @@ use serde::de::{Deserializer, Error, MapAccess, Unexpected, Visitor};
 use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
+use super::ahead_document::{self, LawDocument};
 use super::answer_number::AnswerNumber;
 use super::fault::{Fault, FaultKind, indexed};
 use super::{Answer, AnswerError, Number, Numbers, Outcome};
@@ -38,34 +39,42 @@ impl AnswerDocument {
     /// The answer with values.
     pub(super) fn values(self) -> Result<Answer<Number>, AnswerError> {
         let numbers = self.numbers;
-        let step = |(k, step): (usize, StepDocument)| {
-            let value = |(name, nested): (Quantity, Nested)| {
-                let matrix = nested.value(numbers).map_err(|fault| {
-                    let name = name.name();
-                    match fault.located(&format!("steps[{k}].{name}")) {
-                        (path, FaultKind::Number(source)) => AnswerError::Number { path, source },
-                        (path, FaultKind::Ragged(source)) => AnswerError::Ragged { path, source },
-                    }
-                })?;
-                Ok((name, matrix))
+        let (mut steps, mut ahead) = (Vec::new(), Vec::new());
+        for (k, step) in self.steps.into_iter().enumerate() {
+            let wrong = |name: &str| {
+                let path = format!("steps[{k}].{name}");
+                move |fault: Fault| match fault.located(&path) {
+                    (path, FaultKind::Number(source)) => AnswerError::Number { path, source },
+                    (path, FaultKind::Ragged(source)) => AnswerError::Ragged { path, source },
+                }
             };
-            step.quantities.into_iter().map(value).collect::<Result<Values<Number>, AnswerError>>()
-        };
-        let steps = self.steps.into_iter().enumerate().map(step).collect::<Result<_, _>>()?;
-        Ok(Answer { id: self.id, outcome: self.outcome, step: self.step, message: self.message, steps })
+            let value =
+                |(name, nested): (Quantity, Nested)| Ok((name, nested.value(numbers).map_err(wrong(name.name()))?));
+            steps.push(step.quantities.into_iter().map(value).collect::<Result<Values<Number>, AnswerError>>()?);
+            let laws = indexed(&step.ahead, |law| law.as_ref().map(|law| law.value(numbers)).transpose());
+            ahead.push(laws.map_err(wrong(ahead_document::KEY))?);
+        }
+        if ahead.iter().all(Vec::is_empty) {
+            ahead.clear();
+        }
+        Ok(Answer { id: self.id, outcome: self.outcome, step: self.step, message: self.message, steps, ahead })
     }
 }
 
-/// The quantities of one step, by name.
+/// The quantities of one step, by name, and the laws ahead of it.
 pub(super) struct StepDocument {
     pub(super) quantities: BTreeMap<Quantity, Nested>,
+    pub(super) ahead: Vec<Option<LawDocument>>,
 }
 
 impl Serialize for StepDocument {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.quantities.len()))?;
+        let mut map = serializer.serialize_map(None)?;
         for (name, value) in &self.quantities {
             map.serialize_entry(name.name(), value)?;
+        }
+        if !self.ahead.is_empty() {
+            map.serialize_entry(ahead_document::KEY, &self.ahead)?;
         }
         map.end()
     }
@@ -90,7 +99,7 @@ impl<'de> Visitor<'de> for StepVisitor {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<StepDocument, A::Error> {
-        let (mut quantities, mut keys) = (BTreeMap::new(), Vec::new());
+        let (mut quantities, mut ahead, mut keys) = (BTreeMap::new(), Vec::new(), Vec::new());
         while let Some(key) = map.next_key::<String>()? {
             if keys.contains(&key) {
                 return Err(A::Error::custom(format_args!("duplicate key `{key}`")));
@@ -103,17 +112,19 @@ impl<'de> Visitor<'de> for StepVisitor {
                 Some(name) => {
                     quantities.extend(map.next_value::<Option<_>>()?.map(|matrix| (name, Nested::Matrix(matrix))));
                 }
+                None if key == ahead_document::KEY => ahead = map.next_value::<Option<_>>()?.unwrap_or_default(),
                 None if key == LOG_LIKELIHOOD => drop(map.next_value::<Option<Leaf>>()?),
                 None => {
                     let names = Quantity::ALL.map(Quantity::name).join("`, `");
                     return Err(A::Error::custom(format_args!(
-                        "unknown key `{key}`, expected `{names}` or `{LOG_LIKELIHOOD}`"
+                        "unknown key `{key}`, expected `{names}`, `{}` or `{LOG_LIKELIHOOD}`",
+                        ahead_document::KEY
                     )));
                 }
             }
             keys.push(key);
         }
-        Ok(StepDocument { quantities })
+        Ok(StepDocument { quantities, ahead })
     }
 }
 
@@ -151,7 +162,7 @@ pub(super) enum Leaf {
 }
 
 impl Leaf {
-    fn value(&self, numbers: Numbers) -> Result<Number, Fault> {
+    pub(super) fn value(&self, numbers: Numbers) -> Result<Number, Fault> {
         match self {
             // In an exact answer, strings mean themselves; a JSON number is a double everywhere.
             Self::Json(text) if numbers == Numbers::Exact => Numbers::Binary64.read(text),

@@ -1,11 +1,11 @@
-//! An error on its way up from an entry, gathering indices.
+//! An error on its way up from an entry, gathering the way to it.
 
 use super::{CaseError, NumberError};
 use crate::matrix::RaggedRows;
 
-/// What is wrong below some field, and the indices that lead there, innermost first.
+/// What is wrong below some field, and the indices and names that lead there, innermost first.
 pub(super) struct Fault {
-    indices: Vec<usize>,
+    way: Vec<String>,
     kind: FaultKind,
 }
 
@@ -16,16 +16,22 @@ pub(super) enum FaultKind {
 
 impl Fault {
     pub(super) fn number(error: NumberError) -> Self {
-        Self { indices: Vec::new(), kind: FaultKind::Number(error) }
+        Self { way: Vec::new(), kind: FaultKind::Number(error) }
     }
 
     pub(super) fn ragged(error: RaggedRows) -> Self {
-        Self { indices: Vec::new(), kind: FaultKind::Ragged(error) }
+        Self { way: Vec::new(), kind: FaultKind::Ragged(error) }
+    }
+
+    /// The fault as that of the part `name` of an object.
+    pub(super) fn in_part(mut self, name: &str) -> Self {
+        self.way.push(format!(".{name}"));
+        self
     }
 
     /// The path below the field `name`, and what is wrong there.
     pub(super) fn located(self, name: &str) -> (String, FaultKind) {
-        let path = self.indices.iter().rev().fold(name.to_owned(), |path, index| format!("{path}[{index}]"));
+        let path = self.way.iter().rev().fold(name.to_owned(), |path, part| path + part);
         (path, self.kind)
     }
 
@@ -42,7 +48,7 @@ impl Fault {
 pub(super) fn indexed<T, U>(items: &[T], image: impl Fn(&T) -> Result<U, Fault>) -> Result<Vec<U>, Fault> {
     let item = |(index, item)| {
         image(item).map_err(|mut fault| {
-            fault.indices.push(index);
+            fault.way.push(format!("[{index}]"));
             fault
         })
     };

@@ -9,6 +9,7 @@
 //! [`Values`](crate::trace::Values), a misbehaving subject becomes a [`Reply`]. The format is described for
 //! strangers in `docs/PROTOCOL.md`, and as JSON Schema in `schema/`.
 
+mod ahead_document;
 mod along;
 mod answer;
 mod answer_document;
@@ -27,7 +28,7 @@ mod subject;
 mod witness;
 
 pub use along::{Along, Matrices, Rows, Vectors};
-pub use answer::{Answer, AnswerError, Outcome};
+pub use answer::{Answer, AnswerError, LawAhead, Outcome};
 pub use answer_number::AnswerNumber;
 pub use case::{Case, CaseFormat, Expect, InitialLaw, InputTerm, NoiseLaw};
 pub use case_error::CaseError;

@@ -1,9 +1,11 @@
 //! From literals to the exact model they mean.
 
+use std::num::NonZero;
+
 use super::fault::{Fault, indexed};
 use super::{Along, Case, CaseError, Entry, InputTerm, Matrices, NoiseLaw, Numbers, Rows, Vectors};
 use crate::matrix::Matrix;
-use crate::model::{Coefficient, Initial, Input, Noise, Observation, Path, System};
+use crate::model::{Coefficient, Initial, Input, Noise, Observation, Path, PathAhead, System};
 use crate::scalar::Rational;
 
 /// The exact model and observations that a case means; nothing about them is checked yet.
@@ -23,6 +25,15 @@ impl Problem {
     /// [`CaseError::Model`].
     pub fn realised(&self) -> Result<Path<Rational>, CaseError> {
         Ok(self.system.realised(&self.observations)?)
+    }
+
+    /// The checked path that predictors work on; its lists of transitions may go on beyond the last observation.
+    ///
+    /// # Errors
+    ///
+    /// [`CaseError::Model`].
+    pub fn realised_ahead(&self, steps_ahead: NonZero<usize>) -> Result<PathAhead<Rational>, CaseError> {
+        Ok(self.system.realised_ahead(&self.observations, steps_ahead)?)
     }
 }
 

@@ -136,7 +136,7 @@ fn models(timing: Timing) -> impl Strategy<Value = Model> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 8, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// HV-C5, HV-T1, HV-C2, HV-E.x: d = 1, and A, B u, D of the transition into x_1 follow y_0, one reading later than printed.
     #[test]

@@ -83,6 +83,88 @@ fn the_trace_has_every_quantity() {
 }
 
 #[test]
+fn predictions_ahead() {
+    // By hand: filtered 1/2 and 1/2, then 2 and 3/5; a walk stays where it is, and its variance grows by one a step.
+    let out = run(&["solve", WALK, "--exact", "--ahead", "2"]).quietly(0);
+    let (first, last) = out.split_at(out.find("walk/two-readings · step 1").unwrap());
+    for (step, mean, one, two) in [(first, "1/2", "3/2", "5/2"), (last, "2", "8/5", "13/5")] {
+        assert_eq!((value(step, "mean 1 ahead"), value(step, "covariance 1 ahead")), (mean, one));
+        assert_eq!((value(step, "mean 2 ahead"), value(step, "covariance 2 ahead")), (mean, two));
+        assert!(!step.contains("3 ahead") && !step.contains("gain"), "{step}");
+    }
+    // What was shown before is still shown, first and unchanged.
+    let without = run(&["solve", WALK, "--exact"]).quietly(0);
+    let kept: Vec<&str> = out.lines().filter(|line| !line.contains(" ahead")).collect();
+    assert_eq!(kept, without.lines().collect::<Vec<_>>());
+    for steps in ["0", "1001", "-1", "two"] {
+        let ran = run(&["solve", WALK, "--ahead", steps]);
+        assert_eq!(ran.code, 2);
+        assert!(ran.stderr.contains("from 1 to 1000 steps") || steps == "-1", "{}", ran.stderr);
+    }
+}
+
+#[test]
+fn predictions_ahead_in_json() {
+    let out = run(&["solve", WALK, "--exact", "--ahead", "2", "--format", "json"]).quietly(0);
+    let answer: Value = serde_json::from_str(&out).unwrap();
+    let law = |mean: &str, variance: &str| serde_json::json!({"mean": [mean], "covariance": [[variance]]});
+    assert_eq!(answer["steps"][1]["ahead"], Value::from(vec![law("2", "8/5"), law("2", "13/5")]));
+    let out = run(&["solve", WALK, "--exact", "--format", "json"]).quietly(0);
+    assert!(!out.contains("ahead"), "{out}");
+}
+
+#[test]
+fn predictions_of_a_diffuse_state_are_absent() {
+    // Two states that nothing moves; the first reading sees one of them, the second both.
+    let case = r#"{"format":"exact-kalman/case/1","id":"two","timing":"departing","initial":{"before":"observation","mean":["0","0"],"covariance":[["0","0"],["0","0"]],"diffuse":[["1","0"],["0","1"]]},"transition":[["1","0"],["0","1"]],"observation":[[["1","0"]],[["1","1"]]],"noise":{"process":[["0","0"],["0","0"]],"observation":[["1"]]},"observations":[["3"],["5"]]}"#;
+    let out = feed(&["solve", "-", "--ahead", "1"], case).quietly(0);
+    let (first, last) = out.split_at(out.find("two · step 1").unwrap());
+    assert!(first.contains("not yet resolved") && !first.contains("ahead"), "{first}");
+    assert_eq!((value(last, "mean 1 ahead"), value(last, "covariance 1 ahead")), ("[3, 2]", "[[1, -1], [-1, 2]]"));
+    let out = feed(&["solve", "-", "--ahead", "1", "--trace"], case).quietly(0);
+    assert!(out.contains("covariance 1 ahead of order kappa    [[0, 0], [0, 1]]\n"), "{out}");
+    let out = feed(&["solve", "-", "--ahead", "1", "--format", "json"], case).quietly(0);
+    let answer: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(answer["steps"][0]["ahead"], serde_json::json!([null]));
+}
+
+/// A list of transitions may hold what is needed beyond the last reading, and prediction ends with it.
+#[test]
+fn lists_may_go_on_beyond_the_last_reading() {
+    let case = |timing: &str, list: &str| {
+        let case = walk("listed", &["1", "3"]).replace("departing", timing);
+        case.replace(r#""transition":[["1"]]"#, &format!(r#""transition":{list}"#))
+    };
+    let last = |timing: &str, list: &str| {
+        let out = feed(&["solve", "-", "--last", "--exact", "--ahead", "3"], &case(timing, list)).quietly(0);
+        let means = (1..=3).filter(|i| out.contains(&format!("mean {i} ahead"))).count();
+        (means, if means > 0 { value(&out, &format!("mean {means} ahead")).to_owned() } else { String::new() })
+    };
+    assert_eq!(last("departing", r#"[[["1"]],null]"#), (0, String::new()));
+    assert_eq!(last("departing", r#"[[["1"]],[["5"]],[["7"]]]"#), (2, "70".to_owned()));
+    assert_eq!(last("departing", r#"[[["1"]],[["5"]],[["7"]],[["0.5"]]]"#), (3, "35".to_owned()));
+    assert_eq!(last("arriving", r#"[null,[["1"]]]"#), (0, String::new()));
+    assert_eq!(last("arriving", r#"[null,[["1"]],[["5"]],[["7"]],[["0.5"]]]"#), (3, "35".to_owned()));
+    // Without predictions nothing is needed there, and nothing may stand there; nor more than is needed.
+    let four = case("departing", r#"[[["1"]],[["5"]],[["7"]],[["1"]]]"#);
+    let message = feed(&["solve", "-"], &four).trouble();
+    assert!(message.contains("lists 4 steps where there are 2 observations"), "{message}");
+    let message = feed(&["solve", "-", "--ahead", "2"], &four).trouble();
+    assert!(message.contains("at most 1 beyond the last"), "{message}");
+}
+
+/// What was predicted before a contradiction is printed.
+#[test]
+fn predictions_before_a_contradiction() {
+    let directory = Directory::new();
+    assert_eq!(run(&["cases", "--only", "contradicted", "--out", directory.name()]).code, 0);
+    let ran = run(&["solve", directory.name(), "--ahead", "1"]);
+    assert_eq!(ran.code, 1);
+    assert!(ran.stderr.starts_with("singular/known-state-contradicted: at step 2 "), "{}", ran.stderr);
+    assert_eq!(ran.stdout.matches("mean 1 ahead").count(), 2, "{}", ran.stdout);
+}
+
+#[test]
 fn answers_of_the_protocol() {
     for (options, mean) in [(&["--digits", "4"][..], "0.3333"), (&["--exact"][..], "1/3")] {
         let case = walk("third", &["1"]).replace(r#"observation":[["1"]]},"#, r#"observation":[["2"]]},"#);

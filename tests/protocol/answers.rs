@@ -3,7 +3,7 @@
 use std::slice::from_ref;
 
 use exact_kalman::matrix::Matrix;
-use exact_kalman::protocol::{Answer, Number, Outcome};
+use exact_kalman::protocol::{Answer, LawAhead, Number, Outcome};
 use exact_kalman::scalar::{Rational, exact_value, ratio};
 use exact_kalman::trace::{Quantity, Values};
 use proptest::prelude::*;
@@ -71,6 +71,24 @@ fn every_quantity_has_its_key() {
 }
 
 #[test]
+fn laws_ahead() {
+    let answer = Answer::parse(&step(r#""ahead":[null,{"mean":["1",2],"covariance":[["1","2"],["3","4"]]}]"#)).unwrap();
+    let finite = |value: i64| Number::Finite(ratio(value, 1));
+    let law = LawAhead {
+        mean: Matrix::column(vec![finite(1), finite(2)]),
+        covariance: Matrix::from_fn(2, 2, |i, j| finite(1 + i64::try_from(2 * i + j).unwrap())),
+    };
+    assert_eq!(answer.ahead, [vec![], vec![None, Some(law)]]);
+    assert_eq!(Answer::parse(&answer.to_line()), Ok(answer));
+    // None at all is no list of nothing for each step.
+    for none in [r#""ahead":null"#, r#""ahead":[]"#, ""] {
+        let answer = Answer::parse(&step(none)).unwrap();
+        assert_eq!(answer.ahead, Vec::<Vec<_>>::new());
+        assert!(!answer.to_line().contains("ahead"));
+    }
+}
+
+#[test]
 fn errors_have_paths() {
     let at = |keys: &str, path: &str, word: &str| {
         let message = refusal(&step(keys));
@@ -85,6 +103,13 @@ fn errors_have_paths() {
     at(r#""filtered_mean":[null]"#, "steps[1].filtered_mean[0]: ", "null");
     at(r#""filtered_mean":[{"a":1}]"#, "steps[1].filtered_mean[0]", "map");
     at(r#""filtered_covariance":[["1","one"]]"#, "steps[1].filtered_covariance[0][1]: ", "\"one\" is not a number");
+    let law = |mean: &str, covariance: &str| format!(r#""ahead":[null,{{"mean":{mean},"covariance":{covariance}}}]"#);
+    at(&law(r#"["1","one"]"#, "[]"), "steps[1].ahead[1].mean[1]: ", "\"one\" is not a number");
+    at(&law("[]", r#"[["1"],["1","2"]]"#), "steps[1].ahead[1].covariance: ", "row 1 has 2 entries");
+    at(&law("[]", r#"[["1"],["1/0"]]"#), "steps[1].ahead[1].covariance[1][0]: ", "1/0");
+    at(r#""ahead":[{"mean":[]}]"#, "steps[1].ahead[0]: ", "missing field `covariance`");
+    at(r#""ahead":[{"mean":[],"covariance":[],"gain":[]}]"#, "steps[1].ahead[0]", "unknown field `gain`");
+    at(r#""ahead":[],"ahead":[]"#, "steps[1]", "duplicate key `ahead`");
     at(r#""filtered_mean":[NaN]"#, "", "write \"NaN\", in quotes");
     assert!(refusal(r#"{"id":"a"}"#).contains("missing field `outcome`"));
     assert!(refusal(r#"{"id":"a","outcome":"fine"}"#).starts_with("outcome: "));

@@ -127,7 +127,7 @@ fn answers() {
         }
     }
     let keys = Quantity::ALL.map(Quantity::name);
-    for key in keys.into_iter().chain(["log_likelihood", "unknown"]) {
+    for key in keys.into_iter().chain(["ahead", "log_likelihood", "unknown"]) {
         for value in [
             json!(null),
             json!("1"),
@@ -145,5 +145,17 @@ fn answers() {
             let changed = with(answer.clone(), &format!("/steps/0/{key}"), value);
             agree_on_answer(&changed, check(ANSWER, &changed));
         }
+    }
+    let law = json!({"mean": ["1", 2], "covariance": [["1", 2], ["3", "4"]]});
+    agree_on_answer(&with(answer.clone(), "/steps/0/ahead", json!([null, law])), true);
+    for (pointer, value) in [
+        ("", json!([])),
+        ("/mean", json!("1")),
+        ("/mean", json!(null)),
+        ("/covariance", json!(["1"])),
+        ("/gain", json!([])),
+    ] {
+        let changed = if pointer.is_empty() { value } else { with(law.clone(), pointer, value) };
+        agree_on_answer(&with(answer.clone(), "/steps/0/ahead", json!([changed])), false);
     }
 }
