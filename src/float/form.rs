@@ -2,13 +2,14 @@
 
 use std::fmt;
 
+use super::ahead::{self, Predict};
 use super::error::FloatError;
 use super::joseph::Joseph;
 use super::pseudo_inverse::PseudoInverse;
 use super::recursion::{self, Recursion};
 use super::textbook::Textbook;
-use crate::model::Path;
-use crate::trace::Values;
+use crate::model::{Path, PathAhead};
+use crate::trace::{Moments, Values};
 
 /// A form of the recursion: the same numbers on paper, others in `f64`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,11 +31,12 @@ struct Card {
     name: &'static str,
     description: &'static str,
     run: Run,
+    predict: Predict,
 }
 
 impl Card {
     const fn of<R: Recursion>() -> Self {
-        Self { name: R::NAME, description: R::DESCRIPTION, run: recursion::run::<R> }
+        Self { name: R::NAME, description: R::DESCRIPTION, run: recursion::run::<R>, predict: ahead::run::<R> }
     }
 }
 
@@ -105,4 +107,42 @@ impl fmt::Display for Form {
 /// ```
 pub fn filter(form: Form, path: &Path<f64>) -> Result<Vec<Values<f64>>, FloatError> {
     (form.card().run)(path)
+}
+
+/// The laws of the next d states given the readings so far, for each reading, in the given form: the belief of the filter,
+/// moved on by the transitions that follow, as far as there are any.
+///
+/// # Errors
+///
+/// [`FloatError`] with the step, and the values of the filter before it.
+///
+/// # Examples
+///
+/// A random walk is expected where it is, and its variance grows by one a step:
+///
+/// ```
+/// use std::num::NonZero;
+/// use exact_kalman::float::{predict_ahead, Form};
+/// use exact_kalman::matrix::Matrix;
+/// use exact_kalman::model::{Before, Initial, Noise, Observation, System, Timing};
+/// use exact_kalman::scalar::{ratio, Rational};
+///
+/// let one = Matrix::<Rational>::identity(1);
+/// let walk = System {
+///     timing: Timing::Departing,
+///     initial: Initial::new(Before::Observation, Matrix::zeros(1, 1), one.clone()),
+///     transition: one.clone().into(),
+///     observation: one.clone().into(),
+///     noise: Noise::Covariances { process: one.clone().into(), cross: None, observation: one.into() },
+///     input: None,
+///     observation_input: None,
+/// };
+/// let path = walk.realised_ahead(&[Observation::complete([ratio(3, 1)])], NonZero::new(2).ok_or("zero")?)?;
+/// let path = path.try_map(|value| value.to_string().parse::<f64>())?;
+/// let laws = &predict_ahead(Form::Joseph, &path)?[0];
+/// assert_eq!([&laws[0].covariance, &laws[1].covariance], [1.5, 2.5].map(|v| Matrix::column(vec![v])).each_ref());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn predict_ahead(form: Form, path: &PathAhead<f64>) -> Result<Vec<Vec<Moments<f64>>>, FloatError> {
+    (form.card().predict)(path)
 }

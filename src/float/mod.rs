@@ -15,6 +15,7 @@
 //!
 //! A further form is one file that implements `Recursion`, and its variant in [`Form`].
 
+mod ahead;
 mod error;
 mod form;
 mod joseph;
@@ -28,4 +29,4 @@ mod textbook;
 mod transition;
 
 pub use error::FloatError;
-pub use form::{Form, filter};
+pub use form::{Form, filter, predict_ahead};

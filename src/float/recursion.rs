@@ -55,6 +55,19 @@ pub(super) struct Update<B> {
 ///
 /// [`FloatError`] with the step, and what was computed before it.
 pub(super) fn run<R: Recursion>(path: &Path<f64>) -> Result<Vec<Values<f64>>, FloatError> {
+    walk::<R>(path, |_, _| Ok(()))
+}
+
+/// The form `R` along a path, with something to be done after each step: `after` is given the step and the belief with
+/// which the next one begins.
+///
+/// # Errors
+///
+/// As for [`run`].
+pub(super) fn walk<R: Recursion>(
+    path: &Path<f64>,
+    mut after: impl FnMut(usize, &R::Belief) -> Result<(), Obstacle>,
+) -> Result<Vec<Values<f64>>, FloatError> {
     let initial = path.initial();
     // A part P∞ = 0 is no diffuse part; a NaN in it is no zero either.
     if initial.diffuse.iter().any(|part| part.entries().iter().any(|&entry| entry != 0.0)) {
@@ -67,7 +80,9 @@ pub(super) fn run<R: Recursion>(path: &Path<f64>) -> Result<Vec<Values<f64>>, Fl
         Err(obstacle) => return Err(obstacle.after(computed)),
     };
     for step in path.steps() {
-        match one::<R>(belief, step, path.timing(), path.states()) {
+        let done = one::<R>(belief, step, path.timing(), path.states())
+            .and_then(|(values, next)| after(computed.len(), &next).map(|()| (values, next)));
+        match done {
             Ok((values, next)) => {
                 computed.push(values);
                 belief = next;

@@ -2,6 +2,7 @@
 
 #![cfg(feature = "float")]
 
+mod ahead;
 mod digits;
 mod systems;
 mod truth;
