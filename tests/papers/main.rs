@@ -1,4 +1,5 @@
 //! Published numbers, and the claims of the papers, one module each.
 
 mod chen;
+mod hilgert_vila;
 mod nile;
