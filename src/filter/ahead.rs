@@ -29,6 +29,10 @@ pub struct TraceAhead<S> {
 ///
 /// HV-T1: `x(k+d) given Y(k) is Gaussian with mean x̂(k+d|k) and covariance P(k+d|k) as (3)–(7) compute them`
 ///
+/// HV-M.x: `x̂(k+d|k) = E(x(k+d) | Y(k))`
+///
+/// HV-M.P: `P(k+d|k) = E[(x(k+d) − x̂(k+d|k))(x(k+d) − x̂(k+d|k))ᵀ | Y(k)]`
+///
 /// HV-6: `x̂(k+d|k) = A(k+d−1)x̂(k+d−1|k) + B(k+d−1)u(k+d−1)`
 ///
 /// HV-7: `P(k+d|k) = A(k+d−1)P(k+d−1|k)Aᵀ(k+d−1) + D(k+d−1)Dᵀ(k+d−1)`

@@ -64,7 +64,7 @@ impl<S: OrderedField> System<S> {
     ///
     /// A weaker condition suffices, and is kept by construction: the rule of an adapted coefficient of the transition
     /// into x_s is shown y_0, …, y_{s−d} (nothing for s < d), that of an observation coefficient with index k is shown
-    /// y_0, …, y_{k−1}. For d = 1 these are the conditions of [`System::realised`].
+    /// y_0, …, y_{k−1}. So are the inputs (HV-C2), and the first steps (HV-C5-start). For d = 1 these are the conditions of [`System::realised`].
     ///
     /// Lists of A, B, u, D or Q may go on beyond the last observation, by d − 1 entries in departing timing and by d in
     /// arriving timing; where they end, prediction ends. Values in lists are taken as known in time.

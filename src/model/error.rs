@@ -134,7 +134,7 @@ pub enum ModelError<S> {
         /// The vector v and the value.
         proof: Indefinite<S>,
     },
-    /// An adapted coefficient has no finite value on this path (CKS-A4 fails).
+    /// An adapted coefficient has no finite value on this path (CKS-A4 or HV-C6 fails).
     #[error("{place} has no finite value on these observations: {source}")]
     Infinite {
         /// Where.

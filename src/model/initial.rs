@@ -11,7 +11,7 @@ pub enum Before {
     Transition,
 }
 
-/// The initial belief: mean, covariance, and a diffuse part if there is one.
+/// The initial belief (CKS-A2, HV-C4b): mean, covariance, and a diffuse part if there is one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Initial<T> {
     /// What it comes before.

@@ -44,11 +44,17 @@ pub struct Input<S> {
     pub vector: Coefficient<S>,
 }
 
-/// The system CKS (1) in either timing.
+/// The system CKS (1) in arriving timing, HV (1) in departing timing.
 ///
 /// CKS-1a: `x(t+1) = A(t)x(t) + B(t)u(t) + D(t)w(t+1)`
 ///
 /// CKS-1b: `y(t) = C(t−1)x(t) + G(t−1)v(t−1) + F(t−1)w(t)`
+///
+/// In departing timing it is HV (1), whose states are numbered from 1 and whose y(0) comes before them:
+///
+/// HV-1a: `x(k+1) = A(k)x(k) + B(k)u(k) + D(k)w(k), k ≥ 1`
+///
+/// HV-1b: `y(k) = C(k−1)x(k) + G(k−1)v(k−1) + F(k−1)w(k), k ≥ 1`
 ///
 /// The fields are a description and nothing is checked here; [`System::realised`] checks it all.
 ///
