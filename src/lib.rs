@@ -15,7 +15,7 @@
 //! | 2 | [`gaussian`] | Gaussian laws: affine images, conditioning |
 //! | 2 | [`model`] | state space systems, their realisation along data, and what can be wrong with them |
 //! | 2 | [`trace`] | the named quantities of each step |
-//! | 3 | [`filter`] | the filter by three exact routes, and the diffuse start |
+//! | 3 | [`filter`] | the filter by three exact routes, the diffuse start, the d-step predictor |
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
 //! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |

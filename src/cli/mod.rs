@@ -7,6 +7,7 @@ mod check;
 mod exit;
 mod input;
 mod judge;
+mod shown;
 mod solve;
 mod spec;
 

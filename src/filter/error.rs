@@ -3,7 +3,7 @@
 use crate::gaussian::ConditionError;
 use crate::trace::Record;
 
-/// The filter cannot go on at a step.
+/// The filter cannot go on at a step; C is what it computes.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("at step {step}: {source}")]
 pub struct FilterError<S: std::fmt::Debug + 'static, C = Vec<Record<S>>> {
