@@ -1,15 +1,19 @@
 //! Every algorithm by two routes: recursion, one-shot conditioning, other scalars, exact finite laws.
 
 mod ahead;
+mod beyond;
 mod diffuse;
 mod draws;
 mod fraction_free;
 mod gain;
+mod growth;
 mod measurable;
 mod moments;
 mod one_shot;
 mod past;
+mod prediction_error;
 mod quadrature;
 mod residues;
 mod systems;
 mod timing;
+mod tower;
