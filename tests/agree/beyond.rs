@@ -51,8 +51,9 @@ fn prediction_ends_with_the_lists() {
     let mut broken = listed(Timing::Departing, 4);
     let entry = || Some(Matrix::<Rational>::identity(1));
     broken.transition = Coefficient::PerStep(vec![entry(), None, entry(), entry()]);
-    let trace = predict_ahead(&broken.realised_ahead(&data, steps(3)).unwrap()).unwrap();
-    assert_eq!(trace.steps[1].ahead, []);
+    let path = broken.realised_ahead(&data, steps(3)).unwrap();
+    assert_eq!((predict_ahead(&path).unwrap().steps[1].ahead.len(), path.beyond().len()), (0, 0));
+    assert_eq!(one_shot_ahead(&path).unwrap().iter().map(Vec::len).collect::<Vec<_>>(), [2, 1, 0]);
 }
 
 /// The transitions beyond the last observation are checked as the others are.
