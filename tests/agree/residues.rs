@@ -1,12 +1,13 @@
 //! The squares between scalars commute: image of the result = result on the image.
 
-use exact_kalman::filter::filter;
+use exact_kalman::filter::{TraceAhead, filter, predict_ahead};
 use exact_kalman::scalar::{Mersenne61, Rational};
 use exact_kalman::trace::Quantity;
 use proptest::prelude::*;
 
+use super::ahead::realised;
 use super::draws::draws;
-use super::systems::Kind;
+use super::systems::{Draw, Kind};
 
 const KIND: Kind = Kind { states: 4, sensors: 3, steps: 4, adapted: true, gaps: true };
 
@@ -32,5 +33,29 @@ proptest! {
                 prop_assert_eq!(&value.try_map(image)?, residue);
             }
         }
+    }
+
+    /// HV-T1, HV-X.ad, HV-X.da: so do the predictor and the change of timing.
+    #[test]
+    fn predictor_commutes_with_residues(draw in draws(KIND), d in 1usize..=3) {
+        let draw = Draw { lag: d, ..draw };
+        let fail = |error: String| TestCaseError::fail(error);
+        let path = realised(&draw).map_err(fail)?;
+        let exact = predict_ahead(&path).map_err(|error| fail(error.to_string()))?;
+        let images = path.try_map(image)?;
+        let modular = predict_ahead(&images).map_err(|error| fail(error.to_string()))?;
+        let laws = |trace: &TraceAhead<Rational>| -> Vec<_> {
+            trace.start.iter().chain(trace.steps.iter().flat_map(|step| &step.ahead)).cloned().collect()
+        };
+        let residues: Vec<_> = modular.start.iter().chain(modular.steps.iter().flat_map(|step| &step.ahead)).collect();
+        prop_assert_eq!(laws(&exact).len(), residues.len());
+        for (law, residue) in laws(&exact).iter().zip(residues) {
+            prop_assert_eq!(&law.mean.try_map(image)?, &residue.mean);
+            prop_assert_eq!(&law.covariance.try_map(image)?, &residue.covariance);
+        }
+        let arriving = path.path().to_arriving().map_err(|error| fail(error.to_string()))?;
+        let modular = images.path().to_arriving().map_err(|error| fail(error.to_string()))?;
+        prop_assert_eq!(arriving.try_map(image)?, modular.clone());
+        prop_assert_eq!(arriving.to_departing().try_map(image)?, modular.to_departing());
     }
 }
