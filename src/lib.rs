@@ -18,6 +18,7 @@
 //! | 3 | [`filter`] | the filter by three exact routes, the diffuse start, the d-step predictor |
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
+//! | 4 | [`nongaussian`] | prediction from a start that is not Gaussian |
 //! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |
 //! | 6 | [`spec`] | the specification, and its entries as data |
 //! | 6 | `report` | judgements as text and JSON (feature `cli`) |
@@ -63,6 +64,7 @@ pub mod gaussian;
 pub mod judge;
 pub mod matrix;
 pub mod model;
+pub mod nongaussian;
 #[cfg(feature = "judge")]
 pub mod protocol;
 #[cfg(feature = "cli")]

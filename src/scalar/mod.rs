@@ -13,14 +13,20 @@
 //! A trait is a document: generic code relies on nothing but what is written here, and every promise has
 //! a law in [`laws`].
 
+mod dyadic;
+mod exponential;
 mod float;
 mod integer;
+mod interval;
 pub mod laws;
 mod rational;
 mod residue;
 
+pub use dyadic::{Dyadic, Toward};
+pub use exponential::Overflow;
 pub use float::{exact_value, nearest_double, nearest_single};
 pub(crate) use integer::common_divisor;
+pub use interval::Interval;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};
 

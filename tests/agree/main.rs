@@ -9,6 +9,7 @@ mod gain;
 mod growth;
 mod measurable;
 mod moments;
+mod nongaussian;
 mod one_shot;
 mod past;
 mod prediction_error;

@@ -230,3 +230,21 @@ impl Feedback {
         &self.base
     }
 }
+
+impl Draw {
+    /// The same system with independent noise added to every sensor, so that no observation is free of noise.
+    pub fn with_noisy_sensors(mut self) -> Self {
+        let (n, m) = (self.mean.rows(), self.c.base.rows());
+        let widened = |feedback: &Feedback, added: &Q| Feedback {
+            base: feedback.base.beside(added),
+            slope: feedback.slope.as_ref().map(|slope| slope.beside(&Matrix::zeros(slope.rows(), m))),
+        };
+        self.d = widened(&self.d, &Matrix::zeros(n, m));
+        self.f = widened(&self.f, &Matrix::identity(m));
+        self.sources =
+            self.sources.iter().map(|w| w.above(&Matrix::from_fn(m, 1, |i, _| w[(i % w.rows(), 0)].clone()))).collect();
+        self.timing = Timing::Departing;
+        self.before = Before::Observation;
+        self
+    }
+}

@@ -3,4 +3,5 @@
 mod broken;
 mod fields;
 mod fractions;
+mod interval;
 mod rational;

@@ -3,3 +3,4 @@
 mod chen;
 mod hilgert_vila;
 mod nile;
+mod sowers;

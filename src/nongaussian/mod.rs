@@ -1,0 +1,34 @@
+//! Floor 4 · Prediction from a start that is not Gaussian: the universal statistics of Sowers and Makowski.
+//!
+//! Given ξ = z everything is Gaussian: the next state has the mean `X̄ + Q*z` and the covariance P, and the log density
+//! of the readings is a term free of z plus `zᵀB̄ − ½ zᵀR*z`. So whatever the law F of ξ is, the data enter through
+//! [`Statistics`] alone, which do not know F; what F adds is one integral over z.
+//!
+//! * [`statistics`] computes P, J, Q, R, Ψ, M, X̄, B̄ and Q*, R* for each step, exactly;
+//! * [`InitialLaw`] is F: atoms, Gaussians (degenerate ones too) and their mixtures;
+//! * [`Statistics::linear`] is the best affine estimate, inverse-free in Δ; [`Statistics::posterior`] the conditional
+//!   law, a mixture whose laws are exact and whose weights are an exact exponential each;
+//! * [`Posterior::weights`] encloses these weights, [`Posterior::mean`] the best estimate and [`Posterior::covariance`] its error, each entry a
+//!   fraction or irrational and to any number of digits;
+//! * [`as_printed`] keeps the wrong forms of the paper, so that the difference can be seen.
+//!
+//! Holds no simulation.
+//!
+//! Paper: Sowers, Makowski 1988. Its index t is our k.
+
+pub mod as_printed;
+mod average;
+mod girsanov;
+mod initial_law;
+mod linear;
+mod moments;
+mod posterior;
+mod recursion;
+mod statistics;
+
+pub use average::{Enclosed, TooWide};
+pub use girsanov::LikelihoodRatio;
+pub use initial_law::{Component, InitialLaw, InitialLawError};
+pub use linear::Linear;
+pub use posterior::{Evidence, Posterior, PosteriorComponent};
+pub use statistics::{Statistics, StatisticsError, statistics};

@@ -1,0 +1,160 @@
+//! Dyadic numbers rounded in a direction, and what intervals enclose.
+
+use exact_kalman::scalar::{Dyadic, Interval, Rational, Toward, Undefined, ratio};
+use num_bigint::BigInt;
+use num_traits::Signed;
+use quickcheck::QuickCheck;
+
+fn fraction(numerator: i64, denominator: i64) -> Rational {
+    ratio(numerator, 1 + (denominator % 1000).abs())
+}
+
+fn value(dyadic: &Dyadic) -> Rational {
+    dyadic.value().unwrap_or_else(|| panic!("{dyadic:?} is too long"))
+}
+
+/// Below and above, and no more than one unit of the last bit apart.
+fn encloses(below: &Dyadic, above: &Dyadic, truth: &Rational, bits: u64) -> bool {
+    let (below, above) = (value(below), value(above));
+    let unit = truth.abs() * Rational::new(BigInt::from(4), BigInt::from(1) << bits);
+    below <= *truth && *truth <= above && &above - &below <= unit
+}
+
+/// Every operation against the fractions, at precisions down to one bit.
+#[test]
+fn operations_round_as_they_are_told() {
+    fn property(a: (i64, i64), b: (i64, i64), shift: i16, bits: u8) -> bool {
+        let bits = 1 + u64::from(bits % 40);
+        let scale = Dyadic::new(BigInt::from(1), i64::from(shift));
+        let of = |x: &Rational| Dyadic::rounded(x, 80, Toward::Below);
+        let a = of(&fraction(a.0, a.1));
+        let b = of(&fraction(b.0, b.1)).times(&scale, 80, Toward::Below);
+        let both = |of: &dyn Fn(Toward) -> Dyadic| (of(Toward::Below), of(Toward::Above));
+        let (sum, product) = (both(&|to| a.plus(&b, bits, to)), both(&|to| a.times(&b, bits, to)));
+        let quotient = b.over(&a, bits, Toward::Below).zip(b.over(&a, bits, Toward::Above));
+        let divided = match quotient {
+            None => a.is_zero(),
+            Some((below, above)) => encloses(&below, &above, &(value(&b) / value(&a)), bits),
+        };
+        let sum_encloses = {
+            let truth = value(&a) + value(&b);
+            value(&sum.0) <= truth && truth <= value(&sum.1)
+        };
+        divided && sum_encloses && encloses(&product.0, &product.1, &(value(&a) * value(&b)), bits)
+    }
+    QuickCheck::new().tests(3000).quickcheck(property as fn((i64, i64), (i64, i64), i16, u8) -> bool);
+}
+
+/// The order is that of the fractions.
+#[test]
+fn dyadic_numbers_are_ordered() {
+    fn property(a: (i32, i8), b: (i32, i8)) -> bool {
+        let of = |(mantissa, exponent): (i32, i8)| Dyadic::new(mantissa.into(), exponent.into());
+        of(a).cmp(&of(b)) == value(&of(a)).cmp(&value(&of(b)))
+    }
+    QuickCheck::new().tests(2000).quickcheck(property as fn((i32, i8), (i32, i8)) -> bool);
+}
+
+/// Sums of numbers of absurdly different size are short and on the right side.
+#[test]
+fn tiny_summands_only_decide_the_rounding() {
+    let tiny = Dyadic::new(BigInt::from(3), -1_000_000_000_000);
+    let (below, above) = (Dyadic::one().plus(&tiny, 10, Toward::Below), Dyadic::one().plus(&tiny, 10, Toward::Above));
+    assert_eq!(below, Dyadic::one());
+    assert!(above > Dyadic::one() && value(&above) == ratio(513, 512));
+    let (below, above) = (
+        Dyadic::one().plus(&tiny.negated(), 10, Toward::Below),
+        Dyadic::one().plus(&tiny.negated(), 10, Toward::Above),
+    );
+    assert_eq!(above, Dyadic::one());
+    assert!(below < Dyadic::one() && value(&below) == ratio(1023, 1024));
+    assert_eq!(tiny.value(), None);
+}
+
+/// √x² ∋ x, to the bits asked for; squares are met exactly.
+#[test]
+fn square_roots_square_to_their_argument() {
+    fn property(numerator: u32, denominator: u16, bits: u8) -> bool {
+        let x = ratio(i64::from(numerator), 1 + i64::from(denominator));
+        let bits = 2 + u64::from(bits);
+        let Ok(root) = Interval::square_root(&x, bits) else { return false };
+        let (lower, upper) = (value(root.lower()), value(root.upper()));
+        let narrow = (&upper - &lower) * Rational::from(BigInt::from(1) << (bits - 1)) <= upper;
+        &lower * &lower <= x && x <= &upper * &upper && narrow
+    }
+    QuickCheck::new().tests(1000).quickcheck(property as fn(u32, u16, u8) -> bool);
+    let three_halves = Interval::square_root(&ratio(9, 4), 5);
+    assert_eq!(three_halves.map(|root| (value(root.lower()), value(root.upper()))), Ok((ratio(3, 2), ratio(3, 2))));
+    assert_eq!(Interval::square_root(&ratio(-1, 1), 5), Err(Undefined::OutsideTheRing));
+}
+
+/// Published digits: e, exp(−700/3), exp(123456.789), to 50 digits and more.
+#[test]
+fn exponentials_have_the_published_digits() {
+    for (x, digits, decade) in [
+        (ratio(1, 1), "271828182845904523536028747135266249775724709369995", -50_i32),
+        (ratio(-700, 3), "461977569042693603537704153724668004648672342782647", -152),
+        (ratio(123_456_789, 1000), "400143893926308175709824717074096746464375837090554", 53566),
+    ] {
+        let found = Interval::exponential(&x, 180).unwrap_or_else(|error| panic!("{error}"));
+        let power = Rational::from(BigInt::from(10).pow(decade.unsigned_abs()));
+        let unit = if decade < 0 { power.recip() } else { power };
+        let digits = Rational::from(digits.parse::<BigInt>().unwrap_or_else(|error| panic!("{error}")));
+        let (below, above) = (&digits * &unit, (&digits + ratio(1, 1)) * &unit);
+        assert!(below <= value(found.lower()) && value(found.upper()) <= above, "exp({x})");
+    }
+}
+
+/// exp(x) exp(y) and exp(x + y) meet, and the enclosure is as narrow as it says.
+#[test]
+fn exponentials_multiply() {
+    fn property(x: (i32, i64), y: (i32, i64), bits: u8) -> bool {
+        let bits = 8 + u64::from(bits);
+        let (x, y) = (fraction(i64::from(x.0 % 3000), x.1), fraction(i64::from(y.0 % 3000), y.1));
+        let of = |x: &Rational| Interval::exponential(x, bits).unwrap_or_else(|error| panic!("{error}"));
+        let (product, sum) = (of(&x).times(&of(&y), bits + 30), of(&(&x + &y)));
+        let meet = product.lower() <= sum.upper() && sum.lower() <= product.upper();
+        let width = value(sum.upper()) - value(sum.lower());
+        meet && width * Rational::from(BigInt::from(1) << bits) <= value(sum.upper())
+    }
+    QuickCheck::new().tests(400).quickcheck(property as fn((i32, i64), (i32, i64), u8) -> bool);
+}
+
+/// exp(±10¹²) is enclosed in an instant, exp(−10³⁰) lies between zero and hardly more, exp(10³⁰) is refused.
+#[test]
+fn huge_exponents() {
+    // 10¹²/ln 2 = 1442695040888.96…
+    for (sign, magnitude) in [(1, 1_442_695_040_889), (-1, -1_442_695_040_888)] {
+        let found =
+            Interval::exponential(&ratio(sign * 1_000_000_000_000, 1), 60).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!((found.lower().magnitude(), found.upper().magnitude()), (Some(magnitude), Some(magnitude)));
+    }
+    let absurd = Rational::from(BigInt::from(10).pow(30));
+    assert!(Interval::exponential(&absurd, 60).is_err());
+    let nothing = Interval::exponential(&-absurd, 60).unwrap_or_else(|error| panic!("{error}"));
+    assert!(nothing.lower().is_zero() && nothing.upper().magnitude() < Some(-(1 << 60)));
+}
+
+/// Products and quotients of intervals hold those of their members, for all signs; a divisor around zero is undecided.
+#[test]
+fn intervals_enclose_all_results() {
+    fn property(a: (i16, i16), b: (i16, i16)) -> bool {
+        let of = |(x, y): (i16, i16)| {
+            let dyadic = |x: i16| Dyadic::new(x.into(), -3);
+            Interval::between(dyadic(x), dyadic(y))
+        };
+        let inside = |x: &Rational, interval: &Interval| value(interval.lower()) <= *x && *x <= value(interval.upper());
+        let ends = |interval: &Interval| [value(interval.lower()), value(interval.upper())];
+        let (a, b) = (of(a), of(b));
+        let (sum, product, quotient) = (a.plus(&b, 6), a.times(&b, 6), a.over(&b, 6));
+        ends(&a).iter().all(|x| {
+            ends(&b).iter().all(|y| {
+                let divides = quotient.as_ref().is_ok_and(|quotient| inside(&(x / y), quotient));
+                let zero = ratio(0, 1);
+                let around = value(b.lower()) <= zero && zero <= value(b.upper());
+                inside(&(x + y), &sum) && inside(&(x * y), &product) && (around != divides)
+            })
+        })
+    }
+    QuickCheck::new().tests(2000).quickcheck(property as fn((i16, i16), (i16, i16)) -> bool);
+}

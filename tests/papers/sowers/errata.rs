@@ -1,0 +1,90 @@
+//! What the paper prints beside what is right: each test computes both.
+
+use exact_kalman::nongaussian::as_printed::{log_expectation, statistics_with_printed_error};
+use exact_kalman::nongaussian::{Enclosed, InitialLaw, statistics};
+use exact_kalman::scalar::{Rational, Scalar, ratio};
+use num_traits::Signed;
+
+use super::{number, scalar};
+
+fn coin() -> InitialLaw<Rational> {
+    let half = |value| (ratio(1, 2), number(ratio(value, 1)));
+    InitialLaw::atoms([half(0), half(1)]).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Erratum SM-2.4: without Σᵛ⁻¹ R(1) is 1/2 where it is 0, and the estimate of the smallest example 0.6225 (1/(1 + e^(−1/2)))
+/// instead of 0.5622 (1/(1 + e^(−1/4)), which Bayes' rule gives).
+#[test]
+fn the_last_term_of_r_has_the_inverse_of_the_noise() {
+    let path = scalar([1, 1, 1, 0, 2], &[1]);
+    let (right, printed) = (statistics(&path), statistics_with_printed_error(&path));
+    let [right, printed] = [right, printed].map(|all| all.unwrap_or_else(|error| panic!("{error}"))[1].clone());
+    assert_eq!((&right.error, &printed.error), (&number(ratio(0, 1)), &number(ratio(1, 2))));
+    let digits = |now: &exact_kalman::nongaussian::Statistics<Rational>| match &now.posterior(&coin()).mean(60) {
+        Ok(entries) => match &entries[0] {
+            Enclosed::Between(interval) => interval.lower().value().map(|x| (x * ratio(1_000_000, 1)).to_integer()),
+            Enclosed::Exact(value) => panic!("{value} is a fraction"),
+        },
+        Err(error) => panic!("{error}"),
+    };
+    assert_eq!((digits(&right), digits(&printed)), (Some(562_176.into()), Some(622_459.into())));
+    // (4.7) decides: R*(1) = H²/J.
+    assert_eq!(right.precision(), number(ratio(1, 2)));
+    assert_ne!(printed.precision(), number(ratio(1, 2)));
+    // For Σᵛ = I the slip does not show.
+    let unit = scalar([1, 1, 1, 0, 1], &[1, 3]);
+    assert_eq!(statistics(&unit), statistics_with_printed_error(&unit));
+}
+
+/// Erratum SM-3.14, Erratum SM-3.15, Erratum SM-3.6: with −½ E[L | ξ = z] is 1; with +½ its logarithm is zᵀMz, which is
+/// 1/2 for H = 1, Σᵛ = 2, z = 1. The expectation is that of a log-normal variable, written out.
+#[test]
+fn the_density_has_minus_one_half() {
+    let all = statistics(&scalar([1, 1, 1, 0, 2], &[0])).unwrap_or_else(|error| panic!("{error}"));
+    let (ratio_of_laws, z) = (all[1].likelihood_ratio(), number(ratio(1, 1)));
+    // L = exp(g + c), g ~ N(0, z²H²/Σᵛ): log E L = c + z²H²/(2Σᵛ).
+    let variance = ratio(1, 2);
+    let log_mean = |c: Rational| c.plus(&variance.times(&ratio(1, 2)));
+    assert_eq!(ratio_of_laws.log_moment(&ratio(1, 1), &z), log_mean(variance.times(&ratio(-1, 2))));
+    assert_eq!(log_mean(variance.times(&ratio(-1, 2))), ratio(0, 1));
+    assert_eq!(log_expectation(&ratio_of_laws, &z), log_mean(variance.times(&ratio(1, 2))));
+    assert_eq!(log_expectation(&ratio_of_laws, &z), ratio(1, 2));
+}
+
+/// SM-Girsanov-a, SM-3.15: log E[Lˢ | z] = ½(s² − s) zᵀMz, of the log-normal law for any s; negative between 0 and 1.
+#[test]
+fn moments_of_the_likelihood_ratio() {
+    let all = statistics(&scalar([2, 1, 1, 1, 3], &[5, 1])).unwrap_or_else(|error| panic!("{error}"));
+    let z = number(ratio(-3, 2));
+    for now in &all[1..] {
+        let likelihood_ratio = now.likelihood_ratio();
+        let variance = likelihood_ratio.quadratic(&z);
+        assert!(variance.is_positive());
+        for s in [ratio(0, 1), ratio(1, 1), ratio(1, 2), ratio(-2, 1), ratio(5, 3)] {
+            // Lˢ = exp(s g − s variance/2)
+            let expected = s.times(&s).times(&variance).minus(&s.times(&variance)).times(&ratio(1, 2));
+            assert_eq!(likelihood_ratio.log_moment(&s, &z), expected);
+        }
+        assert_eq!(likelihood_ratio.log_moment(&ratio(1, 2), &z), variance.times(&ratio(-1, 8)));
+    }
+}
+
+/// Erratum SM-A3: with Δ the second moment 2 in place of the variance 1 the estimate of the model A = H = Σʷ = Σᵛ = 1, μ = 1,
+/// Y(0) = 0 would be 1/3 where it is 1/2.
+#[test]
+fn delta_is_the_covariance() {
+    let after = &statistics(&scalar([1, 1, 1, 0, 1], &[0])).unwrap_or_else(|error| panic!("{error}"))[1];
+    // 0 or 2 with a fair coin: mean 1, variance 1, second moment 2.
+    let start =
+        InitialLaw::atoms([0, 2].map(|x| (ratio(1, 2), number(ratio(x, 1))))).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((start.mean(), start.covariance()), (number(ratio(1, 1)), number(ratio(1, 1))));
+    let by_formula = |delta: Rational| {
+        // X̄ + Q*(R* + 1/Δ)⁻¹(B̄ + μ/Δ), all numbers
+        let inverse = ratio(1, 1) / &delta;
+        let [x, q, r, b] =
+            [&after.mean, &after.response(), &after.precision(), &after.linear].map(|m| m[(0, 0)].clone());
+        x + q * (b + &inverse) / (r + inverse)
+    };
+    assert_eq!(after.linear(&start).estimate, number(by_formula(ratio(1, 1))));
+    assert_eq!((by_formula(ratio(1, 1)), by_formula(ratio(2, 1))), (ratio(1, 2), ratio(1, 3)));
+}
