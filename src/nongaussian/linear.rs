@@ -5,6 +5,8 @@ use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
 
 /// The best affine estimate of the state, and how far off it is.
+///
+/// SM-LMMSE: `X̂ᴷ(t+1) = argmin E‖X°(t+1) − g‖² over g = c + C₀Y(0) + … + C_t Y(t)`
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Linear<S> {
     /// X̂ᴷ, n×1.

@@ -20,6 +20,8 @@ impl Posterior<Rational> {
 
     /// The best estimate of the state, n entries, each a fraction or with a relative width of at most 2^−bits.
     ///
+    /// SM-MMSE: `X̂(t+1) = E[X°(t+1) | Y(0), …, Y(t)]`
+    ///
     /// SM-4.2: `X̂(t+1) = X̄(t+1) + Q*(t+1) ∫ z ω(z) dF(z) / ∫ ω(z) dF(z),  ω(z) = exp(zᵀB̄(t+1) − ½ zᵀR*(t+1)z)`
     ///
     /// # Errors

@@ -38,9 +38,13 @@ pub struct Posterior<S> {
 }
 
 impl<S: OrderedField> Statistics<S> {
-    /// The conditional law of the state for ξ ~ F.
+    /// The conditional law of the state for ξ ~ F, by the quotient of Theorem 1 (SM-T1):
     ///
-    /// SM-4.29: `∫ exp(zᵀB̄(t+1) − ½ zᵀR*(t+1)z) dG(z) = det(ΔR*(t+1) + I)^(−½) exp(−½ μᵀΔ⁻¹μ + ½ [B̄(t+1) + Δ⁻¹μ]ᵀ[R*(t+1) + Δ⁻¹]⁻¹[B̄(t+1) + Δ⁻¹μ])`
+    /// SM-2.9: `E[φ(X°(t+1)) | 𝒴(t)] = 𝒰φ[X̄(t+1), B̄(t+1); M(t+1), Ψ(t+1,0); Σ(t+1)] / 𝒰1[X̄(t+1), B̄(t+1); M(t+1), Ψ(t+1,0); Σ(t+1)]`
+    ///
+    /// Its denominator is the sum, over the components, of
+    ///
+    /// SM-4.29: `∫ exp(zᵀB̄(t+1) − ½ zᵀR*(t+1)z) dG(z) = det(ΔR*(t+1) + I)^(−1/2) · exp(−½ μᵀΔ⁻¹μ + ½ [B̄(t+1) + Δ⁻¹μ]ᵀ[R*(t+1) + Δ⁻¹]⁻¹[B̄(t+1) + Δ⁻¹μ])`
     ///
     /// is evaluated for each component in a form that needs no Δ⁻¹ ([`Evidence::exponent`]).
     ///

@@ -32,6 +32,12 @@ impl<S: OrderedField> Recursion<S> {
     ///
     /// SM-1.7: `Ψ(t,t) = I,  Ψ(s+1,t) = [A(s) − Σʷᵛ(s+1)Σᵛ(s+1)⁻¹H(s)]Ψ(s,t),  s ≥ t`
     ///
+    /// SM-2.6: `X̄(t+1) = {A(t) − [A(t)P(t)Hᵀ(t) + Σʷᵛ(t+1)]J⁻¹(t)H(t)}X̄(t) + [A(t)P(t)Hᵀ(t) + Σʷᵛ(t+1)]J⁻¹(t)Y(t),  X̄(0) = 0`
+    ///
+    /// SM-2.7: `B̄(t+1) = B̄(t) − (Q(t) + Ψ(t,0))ᵀHᵀ(t)J⁻¹(t)H(t)X̄(t) + (Q(t) + Ψ(t,0))ᵀHᵀ(t)J⁻¹(t)Y(t),  B̄(0) = 0`
+    ///
+    /// SM-3.20: `M(t+1) = ∑[s=0..t] Ψᵀ(s,0)Hᵀ(s)Σᵛ(s+1)⁻¹H(s)Ψ(s,0),  M(0) = 0`
+    ///
     /// SM-2.2: `J(t) = H(t)P(t)Hᵀ(t) + Σᵛ(t+1)`
     pub(super) fn advance(&mut self, step: &Step<S>, transition: &Transition<S>) -> Result<(), Matrix<S>> {
         let observed = step.reading.present();

@@ -62,7 +62,7 @@ fn two_components(draw: &Draw) -> Result<InitialLaw<Rational>, String> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// SM-1.1, SM-2.1, SM-2.3, SM-2.6, SM-4.1, SM-4.6: given ξ = z the state has the mean X̄ + Q*z and the covariance P.
+    /// SM-1.7, SM-2.1, SM-2.2, SM-2.3, SM-2.6, SM-4.1, SM-4.6: given ξ = z the state has the mean X̄ + Q*z and the covariance P.
     #[test]
     fn given_the_start_the_prediction_is_affine_in_it(draw in draws(KIND)) {
         let draw = draw.with_noisy_sensors();
@@ -135,7 +135,8 @@ proptest! {
         }
     }
 
-    /// SM-cone, SM-2.5, SM-L1: Σ and R* are positive semidefinite, R* never decreases, and Σ(1) is singular always.
+    /// Erratum SM-cone, SM-2.5, SM-4.7: Σ and R* are positive semidefinite, R* never decreases, and Σ(1) is singular, so that it
+    /// never lies in the positive definite cone.
     #[test]
     fn covariances_are_semidefinite(draw in draws(KIND)) {
         let draw = draw.with_noisy_sensors();
@@ -146,5 +147,6 @@ proptest! {
             prop_assert!(now.precision().loewner_le(&next.precision()).is_ok());
         }
         prop_assert_eq!((&all[1].cross, &all[1].error), (&Matrix::zeros(n, n), &Matrix::zeros(n, n)));
+        prop_assert!(all[1].joint_covariance().ldl().is_ok_and(|factors| !factors.is_positive_definite()));
     }
 }

@@ -36,7 +36,7 @@ fn the_last_term_of_r_has_the_inverse_of_the_noise() {
     assert_eq!(statistics(&unit), statistics_with_printed_error(&unit));
 }
 
-/// Erratum SM-3.14, Erratum SM-3.15, Erratum SM-3.6: with −½ E[L | ξ = z] is 1; with +½ its logarithm is zᵀMz, which is
+/// Erratum SM-3.15, and likewise SM-3.14: with −½ E[L | ξ = z] is 1; with +½ its logarithm is zᵀMz, which is
 /// 1/2 for H = 1, Σᵛ = 2, z = 1. The expectation is that of a log-normal variable, written out.
 #[test]
 fn the_density_has_minus_one_half() {
@@ -87,4 +87,26 @@ fn delta_is_the_covariance() {
     };
     assert_eq!(after.linear(&start).estimate, number(by_formula(ratio(1, 1))));
     assert_eq!((by_formula(ratio(1, 1)), by_formula(ratio(2, 1))), (ratio(1, 2), ratio(1, 3)));
+}
+
+/// Erratum SM-LMMSE: X°(1) = ξ + W, Y(0) = ξ + V, E ξ = var ξ = 1: the best affine rule is 1/2 + y/2, the best strictly linear
+/// one 2y/3, and its mean squared error is larger. Moments are written out.
+#[test]
+fn the_kalman_estimate_is_affine() {
+    let start =
+        InitialLaw::atoms([0, 2].map(|x| (ratio(1, 2), number(ratio(x, 1))))).unwrap_or_else(|error| panic!("{error}"));
+    for y in [-3, 0, 4] {
+        let all = statistics(&scalar([1, 1, 1, 0, 1], &[y])).unwrap_or_else(|error| panic!("{error}"));
+        let found = all[1].linear(&start);
+        assert_eq!(found.estimate, number(ratio(1 + y, 2)));
+        assert_ne!(found.estimate, number(ratio(2 * y, 3)));
+        // E(X − a − bY)² = E X² − 2aEX − 2bE XY + a² + 2abEY + b²E Y² with E X = E Y = 1, E X² = 3, E XY = 2, E Y² = 3.
+        let error = |a: Rational, b: Rational| {
+            let two = ratio(2, 1);
+            ratio(3, 1) - &two * &a - ratio(4, 1) * &b + &a * &a + &two * &a * &b + ratio(3, 1) * &b * &b
+        };
+        let (affine, linear) = (error(ratio(1, 2), ratio(1, 2)), error(ratio(0, 1), ratio(2, 3)));
+        assert_eq!(found.covariance, number(affine.clone()));
+        assert!(affine < linear);
+    }
 }
