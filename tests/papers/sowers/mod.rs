@@ -2,6 +2,8 @@
 
 mod errata;
 mod estimates;
+mod girsanov;
+mod world;
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, Path, System, Timing};
