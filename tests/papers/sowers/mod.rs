@@ -1,8 +1,10 @@
 //! Sowers, Makowski 1988: the smallest examples, and what the paper prints beside what is right.
 
+mod decomposition;
 mod errata;
 mod estimates;
 mod girsanov;
+mod measure;
 mod world;
 
 use exact_kalman::matrix::Matrix;

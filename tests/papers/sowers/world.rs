@@ -269,7 +269,10 @@ impl World {
     /// sources alone; in the variables (1, z, η, y).
     pub fn conditional(&self, exponent: &Q, readings: &Q) -> Q {
         let (first, size) = (self.sources().start, self.size());
-        assert!(exponent.block(first..size, first..size).is_zero() && readings.block(0..readings.rows(), 0..first).is_zero());
+        assert!(
+            exponent.block(first..size, first..size).is_zero()
+                && readings.block(0..readings.rows(), 0..first).is_zero()
+        );
         let slope = readings.block(0..readings.rows(), first..size);
         let gain = slope.transpose() * (&slope * slope.transpose()).inverse().expect("SM-A2");
         let rest = Matrix::identity(size - first) - &gain * &slope;
