@@ -56,13 +56,18 @@ impl Changed {
         rows * &self.new
     }
 
-    fn exponent_anew(&self, exponent: &Q) -> Q {
+    pub fn exponent_anew(&self, exponent: &Q) -> Q {
         self.new.transpose().congruence(exponent)
     }
 
     /// Y(0), …, Y(t), one below the other, in the new sources.
     pub fn past(&self, t: usize) -> Q {
         self.anew(&stacked(&self.world.readings()[..=t]))
+    }
+
+    /// (X − X̄, B − B̄) at t + 1 in the new sources, for these means.
+    pub fn errors(&self, t: usize, mean: &Q, b_mean: &Q, readings: &Q) -> Q {
+        self.anew(&(&self.x[t + 1] - mean * readings).above(&(&self.b[t + 1] - b_mean * readings)))
     }
 
     /// (z, η, y) for the readings up to t: where they are among the variables of a conditional exponent.
@@ -391,4 +396,21 @@ fn the_limit_measure_may_be_singular() {
         let log: Rational = now.likelihood_ratio().log_moment(&ratio(1, 2), &number(ratio(1, 1)));
         assert_eq!(log, ratio(-t, 8));
     }
+}
+
+/// Erratum SM-1.5: ξ is integrated too. For Σ = 0, Λ = 0, b = 1, φ = 1 and ξ = 0 or 1 with a fair coin the expectation over the Gaussian pair
+/// alone, as printed, leaves exp(ξ), which is 1 or e and no number; over ξ too it is (1 + e)/2. And the value may be +∞ on the stated
+/// domain: Λ = 1, R = 2, ξ ~ N(0, 1), b = 0, φ = 1 is E exp(½ξ²).
+#[test]
+fn the_functional_integrates_the_start() {
+    // Variables (1, g) with ξ = 0, 1: log exp(bξ) for each atom.
+    let left_by_the_pair = [0, 1].map(|xi| ratio(xi, 1));
+    assert_ne!(left_by_the_pair[0], left_by_the_pair[1]);
+    let e = exact_kalman::scalar::Interval::exponential(&ratio(1, 1), 30).expect("small");
+    let right = |end: Option<Rational>| (end.expect("short") + ratio(1, 1)) * ratio(1, 2);
+    assert!(ratio(185, 100) < right(e.lower().value()) && right(e.upper().value()) < ratio(186, 100));
+    // ½(R − Λ)ξ² with ξ = g, for the R that is printed and for R = Λ.
+    let exponent = |r: i64| Matrix::diagonal(&[ratio(0, 1), ratio(r - 1, 2)]);
+    assert_eq!(integrated(&exponent(2), 1..2), None);
+    assert_eq!(integrated(&exponent(1), 1..2), Some((Matrix::zeros(2, 2), ratio(1, 1))));
 }

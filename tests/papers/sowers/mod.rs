@@ -4,6 +4,7 @@ mod decomposition;
 mod errata;
 mod estimates;
 mod girsanov;
+mod lemmas;
 mod measure;
 mod world;
 
