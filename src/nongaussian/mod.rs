@@ -23,6 +23,8 @@ mod initial_law;
 mod linear;
 mod moments;
 mod posterior;
+mod price;
+mod quadrature;
 mod recursion;
 mod statistics;
 
@@ -31,4 +33,5 @@ pub use girsanov::LikelihoodRatio;
 pub use initial_law::{Component, InitialLaw, InitialLawError};
 pub use linear::Linear;
 pub use posterior::{Evidence, Posterior, PosteriorComponent};
+pub use price::PriceError;
 pub use statistics::{Statistics, StatisticsError, statistics};

@@ -19,7 +19,8 @@ pub enum Toward {
 
 /// `mantissa · 2^exponent`; the mantissa is odd, or all is zero. So equal means equal.
 ///
-/// Sums of numbers of very different size cost no more than their bits: 1 + 2^(−10¹²) is 1 or a little more.
+/// Sums of numbers of very different size cost no more than their bits: 1 + 2^(−10¹²) is 1 or a little more. Exponents
+/// beyond ±2⁶³ saturate, and are then no longer right; exponentials of this crate stay within ±2⁶³ by a wide margin.
 ///
 /// # Examples
 ///

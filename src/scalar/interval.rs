@@ -19,6 +19,11 @@ impl Interval {
         if one <= other { Self { lower: one, upper: other } } else { Self { lower: other, upper: one } }
     }
 
+    /// Zero alone.
+    pub fn zero() -> Self {
+        Self { lower: Dyadic::zero(), upper: Dyadic::zero() }
+    }
+
     /// A fraction, enclosed to so many bits.
     pub fn of(value: &Rational, bits: u64) -> Self {
         Self { lower: Dyadic::rounded(value, bits, Toward::Below), upper: Dyadic::rounded(value, bits, Toward::Above) }
@@ -42,8 +47,31 @@ impl Interval {
         }
     }
 
+    /// The numbers with the other sign.
+    pub fn negated(&self) -> Self {
+        Self { lower: self.upper.negated(), upper: self.lower.negated() }
+    }
+
+    /// The difference.
+    pub fn minus(&self, other: &Self, bits: u64) -> Self {
+        self.plus(&other.negated(), bits)
+    }
+
+    /// The least interval with the numbers of both.
+    pub fn joined(&self, other: &Self) -> Self {
+        let lower = if self.lower <= other.lower { &self.lower } else { &other.lower };
+        let upper = if self.upper >= other.upper { &self.upper } else { &other.upper };
+        Self { lower: lower.clone(), upper: upper.clone() }
+    }
+
     /// The product.
     pub fn times(&self, other: &Self, bits: u64) -> Self {
+        if !self.lower.is_negative() && !other.lower.is_negative() {
+            return Self {
+                lower: self.lower.times(&other.lower, bits, Toward::Below),
+                upper: self.upper.times(&other.upper, bits, Toward::Above),
+            };
+        }
         self.hull(other, |a, b, toward| Some(a.times(b, bits, toward)))
             .unwrap_or_else(|| unreachable!("products have values"))
     }

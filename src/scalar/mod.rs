@@ -13,6 +13,7 @@
 //! A trait is a document: generic code relies on nothing but what is written here, and every promise has
 //! a law in [`laws`].
 
+mod circle;
 mod dyadic;
 mod exponential;
 mod float;
@@ -21,6 +22,7 @@ mod interval;
 pub mod laws;
 mod rational;
 mod residue;
+mod taylor;
 
 pub use dyadic::{Dyadic, Toward};
 pub use exponential::Overflow;
@@ -29,6 +31,7 @@ pub(crate) use integer::common_divisor;
 pub use interval::Interval;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};
+pub use taylor::Taylor;
 
 /// What a scalar knows about the question "is this zero?".
 ///

@@ -6,6 +6,7 @@ mod estimates;
 mod girsanov;
 mod lemmas;
 mod measure;
+mod price;
 mod world;
 
 use exact_kalman::matrix::Matrix;
