@@ -30,7 +30,7 @@ pub struct TooWide {
 }
 
 /// No number is worked on with more bits.
-const MOST_BITS: u64 = 1 << 18;
+pub(super) const MOST_BITS: u64 = 1 << 18;
 
 /// A value and what its weight is made of.
 pub(super) type Weighted = (Evidence<Rational>, Rational);
@@ -105,19 +105,29 @@ fn square_root(value: &Rational) -> Option<Rational> {
     Some(Rational::new_raw(root(value.numer())?, root(value.denom())?))
 }
 
-/// The average with so many bits of work.
-fn enclosed(values: &[Weighted], work: u64) -> Result<Interval, Undefined> {
-    let most = values.iter().map(|(evidence, _)| &evidence.exponent).max().ok_or(Undefined::DivisionByZero)?;
-    let zero = || Interval::between(Dyadic::zero(), Dyadic::zero());
-    let (mut numerator, mut denominator) = (zero(), zero());
-    for (evidence, value) in values {
+/// The sizes of all evidence over that of the largest exponent, with so many bits of work.
+pub(super) fn relative_sizes<'a>(
+    all: impl Iterator<Item = &'a Evidence<Rational>> + Clone,
+    work: u64,
+) -> Result<Vec<Interval>, Undefined> {
+    let most = all.clone().map(|evidence| &evidence.exponent).max().ok_or(Undefined::DivisionByZero)?;
+    let size = |evidence: &Evidence<Rational>| {
         // No exponent is positive once the largest is taken away.
         let size =
             Interval::exponential(&evidence.exponent.minus(most), work).map_err(|Overflow| Undefined::Undecided)?;
         let root = Interval::square_root(&evidence.determinant, work)?;
-        let term = size.times(&Interval::of(&evidence.weight, work), work).over(&root, work)?;
-        numerator = numerator.plus(&term.times(&Interval::of(value, work), work), work);
-        denominator = denominator.plus(&term, work);
+        size.times(&Interval::of(&evidence.weight, work), work).over(&root, work)
+    };
+    all.map(size).collect()
+}
+
+/// The average with so many bits of work.
+fn enclosed(values: &[Weighted], work: u64) -> Result<Interval, Undefined> {
+    let (mut numerator, mut denominator) = (Interval::zero(), Interval::zero());
+    let sizes = relative_sizes(values.iter().map(|(evidence, _)| evidence), work)?;
+    for (size, (_, value)) in sizes.iter().zip(values) {
+        numerator = numerator.plus(&size.times(&Interval::of(value, work), work), work);
+        denominator = denominator.plus(size, work);
     }
     numerator.over(&denominator, work)
 }

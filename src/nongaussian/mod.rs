@@ -10,6 +10,8 @@
 //!   law, a mixture whose laws are exact and whose weights are an exact exponential each;
 //! * [`Posterior::weights`] encloses these weights, [`Posterior::mean`] the best estimate and [`Posterior::covariance`] its error, each entry a
 //!   fraction or irrational and to any number of digits;
+//! * [`Posterior::characteristic`] is the conditional characteristic function, and [`Statistics::price_of_linearity`] encloses how much the
+//!   best affine estimate loses on average;
 //! * [`as_printed`] keeps the wrong forms of the paper, so that the difference can be seen.
 //!
 //! Holds no simulation.
@@ -18,6 +20,7 @@
 
 pub mod as_printed;
 mod average;
+mod characteristic;
 mod girsanov;
 mod initial_law;
 mod linear;
@@ -29,6 +32,7 @@ mod recursion;
 mod statistics;
 
 pub use average::{Enclosed, TooWide};
+pub use characteristic::{CharacteristicFunction, CharacteristicTerm};
 pub use girsanov::LikelihoodRatio;
 pub use initial_law::{Component, InitialLaw, InitialLawError};
 pub use linear::Linear;

@@ -79,7 +79,7 @@ impl<S: OrderedField> Statistics<S> {
     }
 }
 
-fn half<S: Scalar>(value: &S) -> S {
+pub(super) fn half<S: Scalar>(value: &S) -> S {
     match value.over(&S::from_integer(2)) {
         Ok(half) => half,
         Err(error) => unreachable!("an ordered field has no characteristic, but {error}"),

@@ -1,6 +1,6 @@
 //! Dyadic numbers rounded in a direction, and what intervals enclose.
 
-use exact_kalman::scalar::{Dyadic, Interval, Rational, Toward, Undefined, ratio};
+use exact_kalman::scalar::{Dyadic, Interval, Rational, Taylor, Toward, Undefined, ratio};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use quickcheck::QuickCheck;
@@ -157,4 +157,88 @@ fn intervals_enclose_all_results() {
         })
     }
     QuickCheck::new().tests(2000).quickcheck(property as fn((i16, i16), (i16, i16)) -> bool);
+}
+
+/// Published digits: π to 50, cos 1, sin 1, cos 100, sin 100 to 30.
+#[test]
+fn circles_have_the_published_digits() {
+    let holds = |found: &Interval, digits: &str, places: u32| {
+        let unit = Rational::from(BigInt::from(10).pow(places)).recip();
+        let below = Rational::from(digits.parse::<BigInt>().unwrap_or_else(|error| panic!("{error}"))) * &unit;
+        let (below, above) = (&below - &unit, below + &unit);
+        below < value(found.lower()) && value(found.upper()) < above
+    };
+    assert!(holds(&Interval::pi(200), "314159265358979323846264338327950288419716939937510", 50));
+    let (cosine, sine) = Interval::cosine_and_sine(&ratio(1, 1), 150);
+    assert!(holds(&cosine, "540302305868139717400936607443", 30) && holds(&sine, "841470984807896506652502321630", 30));
+    let (cosine, sine) = Interval::cosine_and_sine(&ratio(100, 1), 150);
+    assert!(
+        holds(&cosine, "862318872287683934101938513950", 30) && holds(&sine, "-506365641109758793656557610459", 30)
+    );
+}
+
+/// cos² + sin² ∋ 1, the addition theorem, evenness, and widths of at most 2^−bits, for arguments of any size.
+#[test]
+fn circles_turn() {
+    fn property(x: (i64, i64), y: (i32, i64), bits: u8) -> bool {
+        let bits = 4 + u64::from(bits);
+        let (x, y) = (fraction(x.0, x.1), fraction(i64::from(y.0), y.1));
+        let ((cx, sx), (cy, sy)) = (Interval::cosine_and_sine(&x, bits), Interval::cosine_and_sine(&y, bits));
+        let (sum, _) = Interval::cosine_and_sine(&(&x + &y), bits);
+        let (even, odd) = Interval::cosine_and_sine(&-&x, bits);
+        let work = bits + 20;
+        let meet = |a: &Interval, b: &Interval| a.lower() <= b.upper() && b.lower() <= a.upper();
+        let one = cx.times(&cx, work).plus(&sx.times(&sx, work), work);
+        let theorem = cx.times(&cy, work).minus(&sx.times(&sy, work), work);
+        let width = value(sx.upper()) - value(sx.lower());
+        meet(&one, &Interval::of(&ratio(1, 1), work))
+            && meet(&theorem, &sum)
+            && meet(&even, &cx)
+            && meet(&odd.negated(), &sx)
+            && width * Rational::from(BigInt::from(1) << bits) <= ratio(1, 1)
+    }
+    QuickCheck::new().tests(300).quickcheck(property as fn((i64, i64), (i32, i64), u8) -> bool);
+}
+
+/// Taylor coefficients at a point: of 1/(1 − x), exp(x), their product and quotient at 0, which are known; and over [−1/4, 1/4] they
+/// enclose those at every point of it.
+#[test]
+fn taylor_coefficients() {
+    const ORDER: usize = 8;
+    let point = |x: &Rational| Interval::of(x, 80);
+    let inside = |x: &Rational, found: &Interval| value(found.lower()) <= *x && *x <= value(found.upper());
+    let variable = |at: Interval| Taylor::new([at, point(&ratio(1, 1))], ORDER, 80);
+    let constant = |x: i64| Taylor::new([point(&ratio(x, 1))], ORDER, 80);
+    let geometric = |at: &Taylor| constant(1).over(&constant(1).plus(&at.times(&constant(-1))));
+    let cell = Interval::between(Dyadic::new((-1).into(), -2), Dyadic::new(1.into(), -2));
+    let over_cell = variable(cell);
+    let exponential_over_cell = over_cell.exponential().unwrap_or_else(|error| panic!("{error}"));
+    let geometric_over_cell = geometric(&over_cell).unwrap_or_else(|error| panic!("{error}"));
+    for x in [ratio(-1, 4), ratio(0, 1), ratio(1, 5), ratio(1, 4)] {
+        let at = variable(point(&x));
+        let (exponential, series) = (at.exponential().unwrap(), geometric(&at).unwrap());
+        let e = Interval::exponential(&x, 70).unwrap();
+        let (mut factorial, mut power) = (ratio(1, 1), ratio(1, 1) / (ratio(1, 1) - &x));
+        for n in 0..=ORDER {
+            if n > 0 {
+                factorial *= ratio(i64::try_from(n).unwrap(), 1);
+                power /= ratio(1, 1) - &x;
+            }
+            // f_n of 1/(1 − x) is (1 − x)^(−n−1), that of exp is exp(x)/n!
+            assert!(
+                inside(&power, &series.coefficients()[n]) && inside(&power, &geometric_over_cell.coefficients()[n])
+            );
+            let of = |found: &Taylor| found.coefficients()[n].times(&Interval::of(&factorial, 80), 80);
+            let whole = of(&exponential_over_cell);
+            assert!(meets(&of(&exponential), &e) && whole.lower() <= e.upper() && e.lower() <= whole.upper());
+        }
+        // exp(x)/(1 − x) · (1 − x) = exp(x)
+        let back = exponential.times(&series).over(&series).unwrap();
+        assert!(back.coefficients().iter().zip(exponential.coefficients()).all(|(a, b)| meets(a, b)));
+    }
+    assert!(constant(1).over(&over_cell).is_err());
+}
+
+fn meets(a: &Interval, b: &Interval) -> bool {
+    a.lower() <= b.upper() && b.lower() <= a.upper()
 }

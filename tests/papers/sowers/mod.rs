@@ -1,5 +1,6 @@
 //! Sowers, Makowski 1988: the smallest examples, and what the paper prints beside what is right.
 
+mod characteristic;
 mod decomposition;
 mod errata;
 mod estimates;
