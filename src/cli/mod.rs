@@ -4,6 +4,7 @@
 
 mod cases;
 mod check;
+mod estimate;
 mod exit;
 mod input;
 mod judge;
@@ -38,6 +39,7 @@ struct Arguments {
 #[derive(Subcommand, Debug)]
 enum Verb {
     Solve(solve::Solve),
+    Estimate(estimate::Estimate),
     Check(check::Check),
     Judge(judge::JudgeAnswers),
     Cases(cases::ListCases),
@@ -66,6 +68,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let outcome = match arguments.verb {
         Verb::Solve(verb) => verb.run(),
+        Verb::Estimate(verb) => verb.run(),
         Verb::Check(verb) => verb.run(),
         Verb::Judge(verb) => verb.run(),
         Verb::Cases(verb) => verb.run(),

@@ -19,6 +19,7 @@ mod ahead;
 mod error;
 mod form;
 mod joseph;
+mod mixture;
 mod moments;
 mod observed;
 mod pseudo_inverse;
@@ -30,3 +31,4 @@ mod transition;
 
 pub use error::FloatError;
 pub use form::{Form, filter, predict_ahead};
+pub use mixture::{MixtureError, MixtureEstimate, MixturePart, estimate_mixture};

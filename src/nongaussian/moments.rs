@@ -1,7 +1,7 @@
 //! Weights, mean and covariance of the conditional law.
 
 use super::average::{Weighted, average};
-use super::{Enclosed, Evidence, Posterior, PosteriorComponent, TooWide};
+use super::{Enclosed, Evidence, Linear, Posterior, PosteriorComponent, TooWide};
 use crate::matrix::Matrix;
 use crate::scalar::{Rational, Scalar, ratio};
 
@@ -31,6 +31,24 @@ impl Posterior<Rational> {
         (0..self.states())
             .map(|row| average(&self.weighted(|_, part| part.state.mean()[(row, 0)].clone()), bits))
             .collect()
+    }
+
+    /// By how much the best estimate differs from the best affine one, n entries, each a fraction or with a relative width
+    /// of at most 2^−bits.
+    ///
+    /// SM-4.31: `X̂(t+1) − X̂ᴷ(t+1) = Q*(t+1) ∫ {z − [R*(t+1) + Δ⁻¹]⁻¹[B̄(t+1) + Δ⁻¹μ]} ω(z) dF(z) / ∫ ω(z) dF(z),  ω(z) = exp(zᵀB̄(t+1) − ½ zᵀR*(t+1)z)`
+    ///
+    /// # Errors
+    ///
+    /// As for [`Posterior::mean`].
+    ///
+    /// # Panics
+    ///
+    /// If the estimate has another dimension.
+    pub fn difference(&self, linear: &Linear<Rational>, bits: u64) -> Result<Vec<Enclosed>, TooWide> {
+        let away =
+            |part: &PosteriorComponent<Rational>, row| part.state.mean()[(row, 0)].minus(&linear.estimate[(row, 0)]);
+        (0..self.states()).map(|row| average(&self.weighted(|_, part| away(part, row)), bits)).collect()
     }
 
     /// The covariance of the state given the readings, n×n: `Σ pᵢCᵢ + Σ_{i<j} pᵢpⱼ(mᵢ − mⱼ)(mᵢ − mⱼ)ᵀ`, where no difference of

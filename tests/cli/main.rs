@@ -3,6 +3,7 @@
 
 mod cases;
 mod check;
+mod estimate;
 mod help;
 mod input;
 mod judge;

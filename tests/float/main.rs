@@ -4,6 +4,7 @@
 
 mod ahead;
 mod digits;
+mod mixture;
 mod systems;
 mod truth;
 

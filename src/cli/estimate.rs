@@ -1,0 +1,235 @@
+//! `estimate`: prediction from a start that is not Gaussian.
+
+use std::io::Write;
+use std::path::PathBuf;
+
+use serde_json::{Value, json};
+
+use super::Format;
+use super::exit::{Exit, Trouble};
+use super::input;
+use crate::matrix::Matrix;
+use crate::model::Path;
+use crate::nongaussian::{
+    Component, Enclosed, InitialLaw, InitialLawError, Linear, Posterior, PriceError, StatisticsError, TooWide,
+    statistics,
+};
+use crate::protocol::{CaseError, Decimal, EstimateCase};
+use crate::scalar::{Dyadic, Rational};
+
+const EXAMPLES: &str = "\
+Examples:
+  exact-kalman estimate examples/estimate/coin.json                     a start of two values
+  exact-kalman estimate examples/estimate/coin.json --last --digits 50  proved digits
+  exact-kalman estimate examples/estimate/slab.json --exact             fractions, if there are
+  exact-kalman estimate examples/estimate/coin.json --price             what the affine one loses
+  exact-kalman estimate examples/estimate/slab.json --format json
+
+Every digit is proved: irrational numbers are enclosed until both ends round alike. Exit codes: 0 all
+estimated, 2 the file is refused, with the place and the reason, or other trouble";
+
+/// Print best and best affine predictions of the next state, for a start that is a mixture of Gaussian laws
+#[derive(clap::Args, Debug)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Estimate {
+    /// A file as described in docs/ESTIMATE.md, or `-` for standard input.
+    file: PathBuf,
+    /// Significant decimal digits, correctly rounded (halves away from zero).
+    #[arg(long, default_value_t = 17, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    digits: u32,
+    /// Print fractions, where the numbers are some; the others as decimals, with `…`.
+    #[arg(long, conflicts_with = "digits")]
+    exact: bool,
+    /// Only the last step.
+    #[arg(long)]
+    last: bool,
+    /// Also what the affine estimate loses on average, to ten decimals (slower; where the readings see one direction of
+    /// the first state).
+    #[arg(long)]
+    price: bool,
+    /// How to print.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// A number as text.
+type Shown = Matrix<String>;
+
+/// The bits of the width of the price.
+const PRICE_BITS: u64 = 36;
+
+impl Estimate {
+    pub(super) fn run(self) -> Result<Exit, Trouble> {
+        let place = self.file.display().to_string();
+        let refused = |message: String| Trouble::Other { place: place.clone(), message };
+        let text = input::text(&self.file)?;
+        let case = EstimateCase::parse(text.strip_prefix('\u{feff}').unwrap_or(&text))
+            .map_err(|source| Trouble::Case { place: place.clone(), source })?;
+        let (path, law) = realised(&case).map_err(refused)?;
+        let all = statistics(&path).map_err(|error| refused(unfit(&error)))?;
+        let mut out = std::io::stdout().lock();
+        let mut steps = Vec::new();
+        let first = if self.last { all.len().saturating_sub(1) } else { 1 };
+        for (t, now) in all.iter().enumerate().skip(first.max(1)) {
+            let (posterior, linear) = (now.posterior(&law), now.linear(&law));
+            let mut shown =
+                self.step(&posterior, &linear).map_err(|error| refused(format!("step {}: {error}", t - 1)))?;
+            if self.price {
+                let price = price(now.price_of_linearity(&law, PRICE_BITS));
+                shown.push(("price of linearity", "price", Matrix::column(vec![price])));
+            }
+            match self.format {
+                Format::Text => {
+                    writeln!(out, "{} · after step {}", case.id, t - 1)?;
+                    for (name, _, matrix) in &shown {
+                        writeln!(out, "  {name:36} {}", text_of(matrix))?;
+                    }
+                }
+                Format::Json => steps.push(json_of(t - 1, &shown)),
+            }
+        }
+        if self.format == Format::Json {
+            writeln!(out, "{}", json!({"id": case.id, "steps": steps}))?;
+        }
+        Ok(Exit::Clean)
+    }
+
+    /// What is shown of a step: names for people and for programs.
+    fn step(
+        &self,
+        posterior: &Posterior<Rational>,
+        linear: &Linear<Rational>,
+    ) -> Result<Vec<(&'static str, &'static str, Shown)>, TooWide> {
+        let column = |of: &dyn Fn(u64) -> Result<Vec<Enclosed>, TooWide>| -> Result<Shown, TooWide> {
+            self.proved(|bits| of(bits).map(Matrix::column))
+        };
+        let fractions = |matrix: &Matrix<Rational>| matrix.map(|entry| self.fraction(entry));
+        Ok(vec![
+            ("best estimate", "mmse", column(&|bits| posterior.mean(bits))?),
+            ("best affine estimate", "lmmse", fractions(&linear.estimate)),
+            ("difference", "difference", column(&|bits| posterior.difference(linear, bits))?),
+            ("probabilities", "weights", column(&|bits| posterior.weights(bits))?),
+            ("covariance", "covariance", self.proved(|bits| posterior.covariance(bits))?),
+            ("covariance of the affine error", "linear_covariance", fractions(&linear.covariance)),
+        ])
+    }
+
+    fn fraction(&self, value: &Rational) -> String {
+        if self.exact { value.to_string() } else { Decimal::rounded(value, self.digits).to_string() }
+    }
+
+    /// All entries rounded correctly: with more and more bits, until both ends of each round alike. Irrational numbers are
+    /// no ties, so this ends.
+    fn proved(&self, of: impl Fn(u64) -> Result<Matrix<Enclosed>, TooWide>) -> Result<Shown, TooWide> {
+        let mut bits = u64::from(self.digits) * 4 + 16;
+        loop {
+            let found = of(bits)?;
+            if let Ok(texts) = found.try_map(|entry| self.rounded(entry).ok_or(())) {
+                return Ok(texts);
+            }
+            bits *= 2;
+        }
+    }
+
+    fn rounded(&self, value: &Enclosed) -> Option<String> {
+        let interval = match value {
+            Enclosed::Exact(value) => return Some(self.fraction(value)),
+            Enclosed::Between(interval) => interval,
+        };
+        let (Some(lower), Some(upper)) = (written(interval.lower()), written(interval.upper())) else {
+            let sign = if interval.upper().is_negative() { "-" } else { "" };
+            return Some(format!("{sign}2^{}", interval.upper().magnitude().unwrap_or_default()));
+        };
+        let [lower, upper] = [lower, upper].map(|end| Decimal::rounded(&end, self.digits));
+        let mark = if self.exact { "…" } else { "" };
+        (lower == upper).then(|| format!("{lower}{mark}"))
+    }
+}
+
+/// A number that is not too small or too large to be written out; of those only the power of two is told.
+fn written(end: &Dyadic) -> Option<Rational> {
+    const MOST: u64 = 1 << 16;
+    end.magnitude().filter(|size| size.unsigned_abs() <= MOST).and(end.value())
+}
+
+/// The model, and the law of its start; refusals name the place.
+fn realised(case: &EstimateCase) -> Result<(Path<Rational>, InitialLaw<Rational>), String> {
+    let mut path = None;
+    let mut components = Vec::new();
+    let states = case.initial_law.first().map_or(0, |part| part.mean.len());
+    for (index, part) in case.initial_law.iter().enumerate() {
+        if part.mean.len() != states {
+            let found = part.mean.len();
+            return Err(format!(
+                "initial_law[{index}].mean: has {found} entries; that of the first component has {states}"
+            ));
+        }
+        // What a case calls its initial belief is here a component.
+        let placed = |error: CaseError| error.to_string().replacen("initial.", &format!("initial_law[{index}]."), 1);
+        let problem = case.problem_of(part).map_err(placed)?;
+        let found = problem.realised().map_err(placed)?;
+        let weight = case.numbers.read_finite(part.weight.as_str());
+        let weight = weight.map_err(|error| format!("initial_law[{index}].weight: {error}"))?;
+        let law = crate::gaussian::Gaussian::new(problem.system.initial.mean, problem.system.initial.covariance);
+        let law = law.map_err(|error| format!("initial_law[{index}].covariance: {error}"))?;
+        components.push(Component { weight, law });
+        path.get_or_insert(found);
+    }
+    let law = InitialLaw::mixture(components).map_err(|error| match error {
+        InitialLawError::Weight { component } => format!("initial_law[{component}].weight: {error}"),
+        InitialLawError::Sum { ref sum } => format!("initial_law: {error}, but to {sum}"),
+        other => format!("initial_law: {other}"),
+    })?;
+    Ok((path.ok_or("initial_law: is empty")?, law))
+}
+
+fn unfit(error: &StatisticsError<Rational>) -> String {
+    match error {
+        StatisticsError::Noiseless { step, witness } => {
+            let witness: Vec<String> = witness.entries().iter().map(ToString::to_string).collect();
+            format!(
+                "noise.observation: at step {step} it is singular: v = [{}] has Rv = 0; every observation must be noisy here",
+                witness.join(", ")
+            )
+        }
+        other @ StatisticsError::Arriving => other.to_string(),
+    }
+}
+
+/// The price to so many decimals as are proved, at most ten.
+fn price(found: Result<Enclosed, PriceError>) -> String {
+    let interval = match found {
+        Ok(Enclosed::Exact(value)) => return value.to_string(),
+        Ok(Enclosed::Between(interval)) => interval,
+        Err(error) => return format!("unknown ({error})"),
+    };
+    let (lower, upper) = (written(interval.lower()).unwrap_or_default(), written(interval.upper()).unwrap_or_default());
+    let rounded = |digits| [&lower, &upper].map(|end| Decimal::rounded(end, digits));
+    let proved = (1..=10).rev().map(rounded).find(|[lower, upper]| lower == upper);
+    proved.map_or_else(|| format!("from {lower} to {upper}"), |[digits, _]| digits.to_string())
+}
+
+/// A number, a column as `[a, b]`, or a matrix as `[[a, b], [c, d]]`.
+fn text_of(matrix: &Shown) -> String {
+    match (matrix.rows(), matrix.columns()) {
+        (1, 1) => matrix[(0, 0)].clone(),
+        (_, 1) => format!("[{}]", matrix.entries().join(", ")),
+        _ => matrix.to_string(),
+    }
+}
+
+fn json_of(step: usize, shown: &[(&'static str, &'static str, Shown)]) -> Value {
+    let mut object = serde_json::Map::new();
+    object.insert("step".to_owned(), step.into());
+    for (_, key, matrix) in shown {
+        let value = match *key {
+            "covariance" | "linear_covariance" => {
+                (0..matrix.rows()).map(|row| Value::from(matrix.row(row).to_vec())).collect()
+            }
+            "price" => Value::from(matrix[(0, 0)].clone()),
+            _ => Value::from(matrix.entries().to_vec()),
+        };
+        object.insert((*key).to_owned(), value);
+    }
+    object.into()
+}

@@ -1,0 +1,133 @@
+//! `estimate`: proved digits, and refusals with their place.
+
+use serde_json::Value;
+
+use crate::program::{feed, run};
+
+const COIN: &str = "examples/estimate/coin.json";
+const SLAB: &str = "examples/estimate/slab.json";
+
+fn value<'a>(text: &'a str, quantity: &str) -> &'a str {
+    let line = text.lines().find_map(|line| line.trim_start().strip_prefix(&format!("{quantity}  "))).expect(quantity);
+    line.trim()
+}
+
+#[test]
+fn the_coin_in_proved_digits() {
+    // 1/(1 + exp(−1/4)), computed without this crate; the affine estimate by hand: 5/9.
+    let out = run(&["estimate", COIN, "--digits", "50"]).quietly(0);
+    assert!(out.starts_with("coin · after step 0\n"), "{out}");
+    let mean = "0.56217650088579810402732363790294635383795939625767";
+    assert_eq!(value(&out, "best estimate"), mean);
+    assert!(value(&out, "probabilities").ends_with(&format!("{mean}]")));
+    assert_eq!(value(&out, "best affine estimate"), format!("0.{}6", "5".repeat(49)));
+    let last = run(&["estimate", COIN, "--last"]).quietly(0);
+    assert!(last.starts_with("coin · after step 1\n") && last.lines().count() == 7, "{last}");
+    assert_eq!(run(&["estimate", COIN, "--digits", "3", "--exact"]).code, 2);
+}
+
+#[test]
+fn fractions_where_there_are_any() {
+    // A Gaussian start: 0 and 1 as the filter has them in docs/PROTOCOL.md: mean 1/2 and variance 3/2 ahead of step 1.
+    let gaussian = std::fs::read_to_string(COIN)
+        .unwrap()
+        .replace(r#"{"weight": "1/2", "mean": ["0"]},"#, "")
+        .replace(r#"{"weight": "1/2", "mean": ["1"]}"#, r#"{"weight": "1", "mean": ["0"], "covariance": [["1"]]}"#)
+        .replace(r#""observation": [["2"]]"#, r#""observation": [["1"]]"#);
+    let out = feed(&["estimate", "-", "--exact"], &gaussian).quietly(0);
+    for (quantity, expected) in [
+        ("best estimate", "1/2"),
+        ("best affine estimate", "1/2"),
+        ("difference", "0"),
+        ("probabilities", "1"),
+        ("covariance", "3/2"),
+        ("covariance of the affine error", "3/2"),
+    ] {
+        assert_eq!(value(&out, quantity), expected);
+    }
+    let out = run(&["estimate", SLAB, "--exact", "--last"]).quietly(0);
+    assert!(value(&out, "best estimate").contains('…') && value(&out, "best affine estimate") == "[952/229, 411/458]");
+}
+
+#[test]
+fn the_price() {
+    // ξ = ±1 through noise of variance 1: E(tanh Y − Y/2)² = 0.0504004907933….
+    let coin = std::fs::read_to_string(COIN)
+        .unwrap()
+        .replace(r#""mean": ["0"]"#, r#""mean": ["-1"]"#)
+        .replace(r#""observation": [["2"]]"#, r#""observation": [["1"]]"#);
+    let out = feed(&["estimate", "-", "--price"], &coin).quietly(0);
+    assert!("0.05040049079330".starts_with(value(&out, "price of linearity")), "{out}");
+    let out = run(&["estimate", SLAB, "--price", "--last"]).quietly(0);
+    assert!(value(&out, "price of linearity").starts_with("unknown (the readings see 2 directions"), "{out}");
+}
+
+#[test]
+fn json_has_the_same_texts() {
+    let out = run(&["estimate", SLAB, "--format", "json", "--digits", "20"]).quietly(0);
+    let answer: Value = serde_json::from_str(&out).unwrap();
+    let text = run(&["estimate", SLAB, "--digits", "20", "--last"]).quietly(0);
+    let last = &answer["steps"][2];
+    assert_eq!((answer["id"].as_str(), last["step"].as_i64()), (Some("slab"), Some(2)));
+    let row = |value: &Value| {
+        let entries: Vec<&str> = value.as_array().unwrap().iter().map(|entry| entry.as_str().unwrap()).collect();
+        format!("[{}]", entries.join(", "))
+    };
+    for (key, quantity) in [("mmse", "best estimate"), ("lmmse", "best affine estimate"), ("weights", "probabilities")]
+    {
+        assert_eq!(row(&last[key]), value(&text, quantity));
+    }
+    assert!(value(&text, "covariance").contains(&row(&last["covariance"][1])));
+}
+
+#[test]
+fn refusals_name_the_place() {
+    let coin = std::fs::read_to_string(COIN).unwrap();
+    let refusal = |from: &str, to: &str| {
+        assert!(coin.contains(from));
+        feed(&["estimate", "-"], &coin.replacen(from, to, 1)).trouble()
+    };
+    for (from, to, expected) in [
+        (r#"[["2"]]"#, r#"[["0"]]"#, "noise.observation: at step 0 it is singular: v = [1] has Rv = 0"),
+        (r#""weight": "1/2""#, r#""weight": "1/3""#, "initial_law: the weights do not add up to one, but to 5/6"),
+        (
+            r#""weight": "1/2""#,
+            r#""weight": "-1/2""#,
+            "initial_law[0].weight: the weight of component 0 is not positive",
+        ),
+        (r#""weight": "1/2""#, r#""weight": "half""#, "initial_law[0].weight: "),
+        (
+            r#"["1"]}"#,
+            r#"["1"], "covariance": [["-3"]]}"#,
+            "initial_law[1].covariance: initial covariance is not positive semidefinite: v = [1] has vᵀPv = -3",
+        ),
+        (r#"["1"]}"#, r#"["1", "2"]}"#, "initial_law[1].mean: has 2 entries; that of the first component has 1"),
+        (r#"["1"]}"#, r#"["x"]}"#, "initial_law[1].mean[0]: "),
+        (r#""weight": "1/2","#, r#""weight": 0.5,"#, "initial_law[0].weight"),
+        (r#""weight": "1/2","#, "", "missing field `weight`"),
+        (r#""id""#, r#""name""#, "name: unknown field `name`"),
+        ("estimate/1", "case/1", "format"),
+    ] {
+        let message = refusal(from, to);
+        assert!(message.contains(expected), "{message}");
+    }
+    assert!(run(&["estimate", "no-such-file"]).trouble().contains("no-such-file"));
+    assert!(
+        feed(
+            &["estimate", "-"],
+            &coin
+                .replace('\n', "")
+                .replace(r#"{"weight": "1/2", "mean": ["0"]},"#, "")
+                .replace(r#"{"weight": "1/2", "mean": ["1"]}"#, "")
+        )
+        .trouble()
+        .contains("initial_law")
+    );
+}
+
+#[test]
+fn numbers_too_small_to_be_written_are_told_by_their_size() {
+    let far = std::fs::read_to_string(COIN).unwrap().replace(r#""mean": ["1"]"#, r#""mean": ["1000000"]"#);
+    let out = feed(&["estimate", "-", "--digits", "5"], &far).quietly(0);
+    assert!(value(&out, "probabilities").contains("2^-360673"), "{out}");
+}
