@@ -5,6 +5,7 @@ mod decomposition;
 mod errata;
 mod estimates;
 mod girsanov;
+mod horizon;
 mod lemmas;
 mod measure;
 mod price;

@@ -235,7 +235,7 @@ impl World {
     }
 
     /// The statistics at t = 1, 2, …, T+1, with X̄ and B̄ as matrices that multiply the column of all readings.
-    pub fn linear_statistics(&self) -> Vec<Linear> {
+    pub fn linear_statistics(&self) -> Vec<OfReadings> {
         let count = self.steps.len();
         let unit = |j: usize| -> Vec<Q> {
             let entry = |s: usize, i: usize| ratio(i64::from(s * self.k + i == j), 1);
@@ -246,8 +246,12 @@ impl World {
             Matrix::from_fn(self.n, runs.len(), |i, j| pick(&runs[j][t])[(i, 0)].clone())
         };
         let all = runs[0].iter().enumerate().skip(1);
-        all.map(|(t, now)| Linear { now: now.clone(), mean: of(t, |now| &now.mean), linear: of(t, |now| &now.linear) })
-            .collect()
+        all.map(|(t, now)| OfReadings {
+            now: now.clone(),
+            mean: of(t, |now| &now.mean),
+            linear: of(t, |now| &now.linear),
+        })
+        .collect()
     }
 
     /// The sources in terms of the sources g(s) − C(s)ᵀχ(s) of the new measure: a matrix S such that an affine F in the
@@ -285,7 +289,7 @@ impl World {
 }
 
 /// Statistics, with the linear ones as functions of the readings.
-pub struct Linear {
+pub struct OfReadings {
     pub now: Statistics<Rational>,
     pub mean: Q,
     pub linear: Q,
