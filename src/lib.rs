@@ -18,6 +18,7 @@
 //! | 3 | [`filter`] | the filter by three exact routes, the diffuse start, the d-step predictor |
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
+//! | 5 | `reproduce` | the papers' tables and figures, simulated again (feature `judge`) |
 //! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |
 //! | 6 | [`spec`] | the specification, and its entries as data |
 //! | 6 | `report` | judgements as text and JSON (feature `cli`) |
@@ -67,6 +68,8 @@ pub mod model;
 pub mod protocol;
 #[cfg(feature = "cli")]
 pub mod report;
+#[cfg(feature = "judge")]
+pub mod reproduce;
 pub mod scalar;
 pub mod trace;
 

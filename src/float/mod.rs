@@ -13,10 +13,14 @@
 //! filtered: x̂ + K ν,  P − K S Kᵀ           ahead: A x̂ + B u + K₊ ν,  A P Aᵀ + Q − K₊ S K₊ᵀ
 //! ```
 //!
-//! A further form is one file that implements `Recursion`, and its variant in [`Form`].
+//! A further form is one file that implements `Recursion`, and its variant in [`Form`]. [`predict_extended`] is the same
+//! recursion on nonlinear systems.
 
 mod ahead;
 mod error;
+mod extended;
+mod extended_error;
+mod extended_system;
 mod form;
 mod joseph;
 mod moments;
@@ -29,4 +33,7 @@ mod textbook;
 mod transition;
 
 pub use error::FloatError;
+pub use extended::{ExtendedStep, ExtendedTrace, predict_extended};
+pub use extended_error::{ExtendedError, ExtendedObstacle};
+pub use extended_system::{AdditiveNoise, ExtendedSystem, Function, Linearisation, Linearised};
 pub use form::{Form, filter, predict_ahead};
