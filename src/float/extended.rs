@@ -163,10 +163,8 @@ impl<E> ExtendedSystem<'_, E> {
         };
         let gain = over_s(&(p * c.transpose()))?;
         let closed = DMatrix::identity(p.nrows(), p.nrows()) - &gain * c;
-        let filtered = Moments {
-            mean: mean + &gain * innovation,
-            covariance: congruence(&closed, p) + congruence(&gain, r),
-        };
+        let filtered =
+            Moments { mean: mean + &gain * innovation, covariance: congruence(&closed, p) + congruence(&gain, r) };
         let point = match self.linearisation {
             Linearisation::Prediction => mean,
             Linearisation::Filtered => &filtered.mean,
@@ -247,11 +245,7 @@ impl<E> ExtendedSystem<'_, E> {
 }
 
 fn shown<E>(moments: &Moments) -> Result<trace::Moments<f64>, ExtendedObstacle<E>> {
-    Ok(trace::Moments {
-        mean: finite_column(&moments.mean)?,
-        covariance: finite(&moments.covariance)?,
-        diffuse: None,
-    })
+    Ok(trace::Moments { mean: finite_column(&moments.mean)?, covariance: finite(&moments.covariance)?, diffuse: None })
 }
 
 impl<E> From<Obstacle> for ExtendedObstacle<E> {

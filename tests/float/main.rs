@@ -4,6 +4,7 @@
 
 mod ahead;
 mod digits;
+mod extended;
 mod systems;
 mod truth;
 

@@ -1,5 +1,7 @@
 //! Published numbers, and the claims of the papers, one module each.
 
+#[cfg(feature = "judge")]
+mod bioreactor;
 mod chen;
 mod hilgert_vila;
 mod nile;

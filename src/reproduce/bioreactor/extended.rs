@@ -3,9 +3,7 @@
 use std::num::NonZeroUsize;
 
 use super::{Belief, BioreactorError, Concentration, Reactor, Setting, Unphysical};
-use crate::float::{
-    AdditiveNoise, ExtendedSystem, ExtendedTrace, Linearisation, Linearised, predict_extended,
-};
+use crate::float::{AdditiveNoise, ExtendedSystem, ExtendedTrace, Linearisation, Linearised, predict_extended};
 use crate::matrix::Matrix;
 use crate::model::Observation;
 

@@ -37,7 +37,8 @@ pub struct Figure {
 pub fn figure(options: &Options, exponent: Exponent, run: u64) -> Result<Figure, BioreactorError> {
     let Course { biomass, standard, extended } = course(options, exponent, run)?;
     let lists = biomass.iter().zip(&standard).zip(&extended).enumerate().skip(options.ahead.get() - 1);
-    let points = lists.map(|(k, ((&biomass, &standard), &extended))| Point { time: k + 1, biomass, standard, extended });
+    let points =
+        lists.map(|(k, ((&biomass, &standard), &extended))| Point { time: k + 1, biomass, standard, extended });
     Ok(Figure { points: points.collect() })
 }
 

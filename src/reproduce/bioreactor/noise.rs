@@ -23,9 +23,8 @@ impl Stream {
     pub fn named(name: &str, seed: u64) -> Self {
         // FNV-1a over the name and the seed.
         let bytes = name.bytes().chain(seed.to_le_bytes());
-        let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        });
+        let hash = bytes
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
         Self(Pcg64Mcg::seed_from_u64(hash))
     }
 

@@ -102,10 +102,7 @@ impl<T: Concentration> Reactor<T> {
         let dilution_per_period = self.period.clone() * dilution.clone();
         let entries = [
             [T::one() + growth_per_period.clone() - dilution_per_period.clone(), T::zero()],
-            [
-                T::zero() - growth_per_period / self.yield_coefficient.clone(),
-                T::one() - dilution_per_period,
-            ],
+            [T::zero() - growth_per_period / self.yield_coefficient.clone(), T::one() - dilution_per_period],
         ];
         Matrix::from_fn(2, 2, |i, j| entries[i][j].clone())
     }

@@ -65,10 +65,8 @@ impl<T: Concentration> Setting<T> {
 
     /// The same with every number the nearest double.
     pub fn doubles(&self) -> Setting<f64> {
-        let earlier = |earlier: &Earlier<T>| Earlier {
-            substrate: earlier.substrate.double(),
-            reading: earlier.reading.double(),
-        };
+        let earlier =
+            |earlier: &Earlier<T>| Earlier { substrate: earlier.substrate.double(), reading: earlier.reading.double() };
         Setting {
             reactor: self.reactor.doubles(),
             noise_factor: self.noise_factor.map(T::double),

@@ -58,7 +58,8 @@ fn further_ahead<T, L: Clone>(
 ) -> Vec<L> {
     let prediction = |k: usize| {
         let first = (k + 1).saturating_sub(ahead);
-        let transitions = path.steps().get(first..k).unwrap_or_default().iter().filter_map(|step| step.transition.as_ref());
+        let transitions =
+            path.steps().get(first..k).unwrap_or_default().iter().filter_map(|step| step.transition.as_ref());
         Some(transitions.fold(one_ahead.get(first)?.clone(), &next))
     };
     (0..one_ahead.len()).filter_map(prediction).collect()

@@ -58,14 +58,8 @@ pub fn system(setting: &Setting<Rational>, start: &Belief<Rational>) -> System<R
         initial: Initial::new(Before::Observation, start.mean.clone(), start.covariance.clone()),
         transition: rule(|setting, rates| setting.reactor.transition(&rates.growth, &rates.dilution)),
         observation: observation_matrix().into(),
-        noise: Noise::Factors {
-            process: setting.noise_factor.clone().into(),
-            observation: Matrix::zeros(1, 2).into(),
-        },
-        input: Some(Input {
-            matrix: None,
-            vector: rule(|setting, rates| setting.reactor.input(&rates.dilution)),
-        }),
+        noise: Noise::Factors { process: setting.noise_factor.clone().into(), observation: Matrix::zeros(1, 2).into() },
+        input: Some(Input { matrix: None, vector: rule(|setting, rates| setting.reactor.input(&rates.dilution)) }),
         observation_input: None,
     }
 }

@@ -78,7 +78,11 @@ fn row(printed: &Printed, errors: &[Errors], failed: usize, comparable: bool) ->
 impl fmt::Display for Table {
     /// One line per number: printed value, median, band, and whether the printed value lies in it.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{:<6} {:<7} {:>8} {:>10} {:>10} {:>10}  in band", "beta", "number", "printed", "5 %", "median", "95 %")?;
+        writeln!(
+            f,
+            "{:<6} {:<7} {:>8} {:>10} {:>10} {:>10}  in band",
+            "beta", "number", "printed", "5 %", "median", "95 %"
+        )?;
         for row in &self.rows {
             let printed = |value: fn(&Printed) -> i32| row.printed.as_ref().map(|row| f64::from(value(row)) / 100.0);
             let numbers = [

@@ -35,7 +35,8 @@ pub fn trial(options: &Options, exponent: Exponent, run: u64) -> Result<Errors, 
     // Before that there is no prediction of so many steps.
     let first = options.ahead.get() - 1;
     let error = |predicted: &[f64]| {
-        let errors: Vec<f64> = biomass.iter().zip(predicted).skip(first).map(|(true_one, found)| true_one - found).collect();
+        let errors: Vec<f64> =
+            biomass.iter().zip(predicted).skip(first).map(|(true_one, found)| true_one - found).collect();
         mean_squared_error(&errors, options.steps).ok_or(BioreactorError::Empty)
     };
     Ok(Errors { standard: error(&standard)?, extended: error(&extended)? })
@@ -72,7 +73,9 @@ fn drawn(
     stream: &mut Stream,
 ) -> Result<Belief<f64>, BioreactorError> {
     let n = belief.mean.rows();
-    let Ok(factors) = belief.covariance.ldl() else { return Err(BioreactorError::Asymmetric { predictor: "extended" }) };
+    let Ok(factors) = belief.covariance.ldl() else {
+        return Err(BioreactorError::Asymmetric { predictor: "extended" });
+    };
     let pivots = Belief { mean: Matrix::column(factors.pivots), covariance: factors.lower }.doubles();
     let sources: Vec<f64> = (0..n).map(|i| pivots.mean[(i, 0)].sqrt() * stream.normal()).collect();
     let centre = belief.doubles().mean;
