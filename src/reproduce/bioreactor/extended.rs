@@ -76,10 +76,9 @@ pub fn extended_predictions(
     let observation = |_, state: &Matrix<f64>| {
         Ok(Linearised { value: Matrix::column(vec![state[(1, 0)]]), jacobian: sensor.clone() })
     };
-    let d = &setting.noise_factor;
-    let covariance = |i: usize, j: usize| d[(i, 0)] * d[(j, 0)] + d[(i, 1)] * d[(j, 1)];
+    let covariance = setting.noise_covariance();
     let noise = AdditiveNoise {
-        process: Matrix::from_fn(n, n, |i, j| if i < 2 && j < 2 { covariance(i, j) } else { 0.0 }),
+        process: Matrix::from_fn(n, n, |i, j| if i < 2 && j < 2 { covariance[(i, j)] } else { 0.0 }),
         cross: Matrix::column(vec![0.0; n]),
         observation: Matrix::column(vec![0.0]),
     };

@@ -91,7 +91,7 @@ impl<T: Concentration> Reactor<T> {
         }
         match self.exponent {
             Exponent::Natural(n) => {
-                let power = (0..n).fold(T::one(), |power, _| power * substrate.clone());
+                let power = num_traits::pow(substrate.clone(), usize::try_from(n).unwrap_or(usize::MAX));
                 let beta = T::from_u32(n).ok_or(Unphysical::NoGrowthRate { substrate: substrate.double() })?;
                 self.growth_from_power(substrate, &power, &beta)
             }

@@ -18,8 +18,8 @@ pub struct Earlier<T> {
 pub struct Setting<T> {
     /// The tank.
     pub reactor: Reactor<T>,
-    /// D, 2×2.
-    pub noise_factor: Matrix<T>,
+    /// D, by rows.
+    pub noise_factor: [[T; 2]; 2],
     /// The paper's x(1): biomass and substrate, mg/l.
     pub first: [T; 2],
     /// The paper's times 1 − d, …, 0. Their number is the delay d: growth and dilution rate of a step depend on the
@@ -50,7 +50,7 @@ impl Setting<Rational> {
         let earlier = Earlier { substrate: ratio(30, 1), reading: ratio(30, 1) };
         Self {
             reactor: Reactor::printed(exponent),
-            noise_factor: Matrix::from_fn(2, 2, |i, j| tenths(if (i, j) == (0, 0) { 3 } else { 1 })),
+            noise_factor: [[tenths(3), tenths(1)], [tenths(1), tenths(1)]],
             first: [ratio(25, 1), ratio(30, 1)],
             earlier: vec![earlier; delay],
         }
@@ -63,13 +63,19 @@ impl<T: Concentration> Setting<T> {
         self.earlier.len()
     }
 
+    /// D Dᵀ, 2×2.
+    pub fn noise_covariance(&self) -> Matrix<T> {
+        let d = &self.noise_factor;
+        Matrix::from_fn(2, 2, |i, j| d[i][0].clone() * d[j][0].clone() + d[i][1].clone() * d[j][1].clone())
+    }
+
     /// The same with every number the nearest double.
     pub fn doubles(&self) -> Setting<f64> {
         let earlier =
             |earlier: &Earlier<T>| Earlier { substrate: earlier.substrate.double(), reading: earlier.reading.double() };
         Setting {
             reactor: self.reactor.doubles(),
-            noise_factor: self.noise_factor.map(T::double),
+            noise_factor: self.noise_factor.each_ref().map(|row| row.each_ref().map(T::double)),
             first: self.first.each_ref().map(T::double),
             earlier: self.earlier.iter().map(earlier).collect(),
         }
@@ -103,13 +109,13 @@ impl<T: Concentration> Setting<T> {
     ///
     /// [`BioreactorError::Unphysical`] with the transition that cannot be done.
     pub fn simulated(&self, noise: &[[T; 2]]) -> Result<Vec<[T; 2]>, BioreactorError> {
-        let d = &self.noise_factor;
         let mut states = vec![self.first.clone()];
         for (k, [first, second]) in noise.iter().enumerate() {
             let rates = self.coefficients(k, |j| states.get(j).map(|[_, substrate]| substrate.clone()));
             let rates = rates.map_err(|source| BioreactorError::Unphysical { step: k, source })?;
             let (Some(Coefficients { growth, dilution }), Some(state)) = (rates, states.last()) else { break };
-            let disturbance = [0, 1].map(|i| d[(i, 0)].clone() * first.clone() + d[(i, 1)].clone() * second.clone());
+            let share = |[one, other]: &[T; 2]| one.clone() * first.clone() + other.clone() * second.clone();
+            let disturbance = self.noise_factor.each_ref().map(share);
             let next = self.reactor.next(state, &growth, &dilution, &disturbance);
             states.push(next);
         }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{BioreactorError, Concentration};
 use crate::float::Linearisation;
-use crate::matrix::{LdlError, Matrix};
+use crate::matrix::{Ldl, LdlError, Matrix};
 use crate::scalar::{Rational, ratio};
 
 /// The mean and the covariance with which a predictor starts.
@@ -32,6 +32,18 @@ impl<T: Concentration> Belief<T> {
     }
 }
 
+impl Belief<Rational> {
+    /// The factors LDLᵀ of the covariance.
+    pub(super) fn factors(&self, predictor: &'static str) -> Result<Ldl<Rational>, BioreactorError> {
+        self.covariance.ldl().map_err(|error| match error {
+            LdlError::Asymmetric { .. } => BioreactorError::Asymmetric { predictor },
+            LdlError::Indefinite(proof) => {
+                BioreactorError::Indefinite { predictor, covariance: self.covariance.clone(), proof }
+            }
+        })
+    }
+}
+
 /// How both predictors start, and where the extended one is made linear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
@@ -54,13 +66,9 @@ impl Start {
     pub fn checked(&self, delay: usize) -> Result<(), BioreactorError> {
         for (predictor, belief, states) in [("standard", &self.standard, 2), ("extended", &self.extended, 2 + delay)] {
             belief.check_states(predictor, states)?;
-            match belief.covariance.ldl() {
-                Err(LdlError::Asymmetric { .. }) => return Err(BioreactorError::Asymmetric { predictor }),
-                Err(LdlError::Indefinite(proof)) if !self.allow_indefinite => {
-                    let covariance = belief.covariance.clone();
-                    return Err(BioreactorError::Indefinite { predictor, covariance, proof });
-                }
-                _ => {}
+            match belief.factors(predictor) {
+                Err(BioreactorError::Indefinite { .. }) if self.allow_indefinite => {}
+                outcome => drop(outcome?),
             }
         }
         Ok(())

@@ -58,7 +58,10 @@ pub fn system(setting: &Setting<Rational>, start: &Belief<Rational>) -> System<R
         initial: Initial::new(Before::Observation, start.mean.clone(), start.covariance.clone()),
         transition: rule(|setting, rates| setting.reactor.transition(&rates.growth, &rates.dilution)),
         observation: observation_matrix().into(),
-        noise: Noise::Factors { process: setting.noise_factor.clone().into(), observation: Matrix::zeros(1, 2).into() },
+        noise: Noise::Factors {
+            process: Matrix::from_fn(2, 2, |i, j| setting.noise_factor[i][j].clone()).into(),
+            observation: Matrix::zeros(1, 2).into(),
+        },
         input: Some(Input { matrix: None, vector: rule(|setting, rates| setting.reactor.input(&rates.dilution)) }),
         observation_input: None,
     }
@@ -90,14 +93,15 @@ pub fn realised(
 ///
 /// # Errors
 ///
-/// [`BioreactorError::Unphysical`] with the step whose rates have no value.
+/// [`BioreactorError::Unphysical`] with the step whose rates have no value; [`BioreactorError::States`] unless the start has
+/// two states.
 pub fn path_in_doubles(
     setting: &Setting<f64>,
     start: &Belief<f64>,
     readings: &[f64],
 ) -> Result<Path<f64>, BioreactorError> {
-    let d = &setting.noise_factor;
-    let noise = Matrix::from_fn(2, 2, |i, j| d[(i, 0)] * d[(j, 0)] + d[(i, 1)] * d[(j, 1)]);
+    start.check_states("standard", 2)?;
+    let noise = setting.noise_covariance();
     let scalar = |value: f64| Matrix::column(vec![value]);
     let step = |(k, &reading): (usize, &f64)| {
         let rates = setting.coefficients(k, |j| readings.get(j).copied());

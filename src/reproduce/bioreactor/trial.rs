@@ -73,9 +73,7 @@ fn drawn(
     stream: &mut Stream,
 ) -> Result<Belief<f64>, BioreactorError> {
     let n = belief.mean.rows();
-    let Ok(factors) = belief.covariance.ldl() else {
-        return Err(BioreactorError::Asymmetric { predictor: "extended" });
-    };
+    let factors = belief.factors("extended")?;
     let pivots = Belief { mean: Matrix::column(factors.pivots), covariance: factors.lower }.doubles();
     let sources: Vec<f64> = (0..n).map(|i| pivots.mean[(i, 0)].sqrt() * stream.normal()).collect();
     let centre = belief.doubles().mean;
