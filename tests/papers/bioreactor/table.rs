@@ -2,7 +2,7 @@
 
 use exact_kalman::float::Linearisation;
 use exact_kalman::reproduce::bioreactor::{
-    Band, Earlier, Errors, Exponent, Options, PRINTED, Preset, Setting, Truth, mean_squared_error, realised,
+    Band, Earlier, Errors, Exponent, Options, PRINTED, Preset, Setting, Truth, figure, mean_squared_error, realised,
     relative_efficiency, standard_predictions_exact, table, trial,
 };
 use exact_kalman::scalar::{Rational, ratio};
@@ -226,21 +226,27 @@ fn with_a_true_law_the_standard_predictor_is_not_worse() {
     }
 }
 
-/// HV-SKP: the drawn start is calibrated: over 300 runs the standard predictor's first error, squared and over the variance
-/// it claims, has mean 1 within four standard errors (a χ² with one degree of freedom has variance 2).
+/// HV-SKP: the drawn start is drawn from its law. Over 300 runs two squares have the mean that they should, within four
+/// standard errors (a χ² with one degree of freedom has variance 2): that of the standard predictor's first error over the
+/// variance it claims, and that of the noise in x_B(2), given the old substrate z from which that prediction was made.
 #[test]
 fn the_drawn_start_is_calibrated() {
     // P(1|0) of the biomass given the old substrate: 25 − 2²/9.
     let variance = 25.0 - 4.0 / 9.0;
     let options = Options { truth: Truth::Drawn, steps: 2, ..Options::one_step(Preset::Drawn.start(1)) };
-    let squares = (0..300).map(|run| {
-        let point = exact_kalman::reproduce::bioreactor::figure(&options, Exponent::Natural(1), run)
-            .expect("a course")
-            .points[0];
-        (point.biomass - point.standard).powi(2) / variance
-    });
-    let mean = squares.sum::<f64>() / 300.0;
-    assert!((mean - 1.0).abs() < 4.0 * (2.0_f64 / 300.0).sqrt(), "{mean}");
+    let (mut errors, mut noise) = (0.0, 0.0);
+    for run in 0..300 {
+        let [first, second] = figure(&options, Exponent::Natural(0), run).expect("a course").points[..] else {
+            panic!("two steps")
+        };
+        errors += (first.biomass - first.standard).powi(2) / variance / 300.0;
+        // x̂_B(1|0) = 25 + (2/9)(z − 30), μ = z/252, u = 1/(20(z + 1)); the noise has variance 1/10.
+        let z = 30.0 + 4.5 * (first.standard - 25.0);
+        let expected = (1.0 + z / 252.0 - 0.05 / (z + 1.0)) * first.biomass;
+        noise += (second.biomass - expected).powi(2) * 10.0 / 300.0;
+    }
+    let bound = 4.0 * (2.0_f64 / 300.0).sqrt();
+    assert!((errors - 1.0).abs() < bound && (noise - 1.0).abs() < bound, "{errors}, {noise}");
 }
 
 /// HV-Tab1: the text shows printed and computed numbers, and says which lie inside.
