@@ -7,15 +7,19 @@
 //! cargo run --example bioreactor > course.csv
 //! ```
 
-use exact_kalman::reproduce::bioreactor::{BioreactorError, Exponent, Options, Preset, figure};
+use std::error::Error;
+use std::io::Write;
 
-fn main() -> Result<(), BioreactorError> {
+use exact_kalman::reproduce::bioreactor::{Exponent, Options, Preset, figure};
+
+fn main() -> Result<(), Box<dyn Error>> {
     // The covariances as printed are no covariances, and are refused; with P_BB = 5000 they are.
     let printed = Options::one_step(Preset::Printed.start(1));
     if let Err(error) = figure(&printed, Exponent::Real(0.5), 0) {
         eprintln!("As printed: {error}");
     }
     let repaired = Options::one_step(Preset::Repaired.start(1));
-    print!("{}", figure(&repaired, Exponent::Real(0.5), 0)?);
+    let course = figure(&repaired, Exponent::Real(0.5), 0)?;
+    write!(std::io::stdout(), "{course}")?;
     Ok(())
 }

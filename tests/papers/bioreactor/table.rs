@@ -124,24 +124,21 @@ fn the_printed_start_does_not_give_the_table() {
     }
 }
 
-/// HV-Tab1, simulated: the closest start found has the printed numbers inside its band of 5 to 95 % for β = 2, 1, 1/2, 0, but
+/// HV-Tab1, simulated: the closest start found has each of the thirty printed numbers inside its own band of 5 to 95 %, but
 /// not how they change with β: MS_SKP(0) − MS_SKP(1) is printed as 4.93, and is less in every one of a hundred runs (more than
 /// 4.93 in 5 % of them would show with probability 0.994).
 #[test]
 fn the_closest_start_is_a_fit_and_no_reproduction() {
-    let options = one_step(Preset::Closest, 10, Linearisation::Prediction);
-    assert_eq!(options.start, {
-        let mut start = Preset::Closest.start(1);
-        start.allow_indefinite = true;
-        start
-    });
-    for exponent in [Exponent::Natural(2), Exponent::Natural(1), Exponent::Real(0.5), Exponent::Natural(0)] {
-        let row = PRINTED.iter().find(|row| row.exponent == exponent).expect("printed");
-        let all = runs(&options, exponent, 100);
-        let band = |value: fn(&Errors) -> f64| Band::of(all.iter().map(value).collect()).expect("runs");
-        assert!(band(|errors| errors.standard).contains(f64::from(row.standard) / 100.0), "SKP, β = {exponent}");
-        assert!(band(|errors| errors.extended).contains(f64::from(row.extended) / 100.0), "EKP, β = {exponent}");
-        assert!(band(efficiency).contains(f64::from(row.efficiency) / 100.0), "Δ, β = {exponent}");
+    let mut options = Options { runs: 60, ..Options::one_step(Preset::Closest.start(1)) };
+    options.start.allow_indefinite = true;
+    for row in table(&options).expect("meaningful options").rows {
+        let printed = row.printed.expect("one step ahead");
+        for (band, printed) in
+            [(row.standard, printed.standard), (row.extended, printed.extended), (row.efficiency, printed.efficiency)]
+        {
+            let band = band.expect("runs");
+            assert!(band.contains(f64::from(printed) / 100.0), "β = {}: {printed} and {band:?}", row.exponent);
+        }
     }
     for run in 0..100 {
         let standard = |beta| trial(&options, Exponent::Natural(beta), run).expect("a course").standard;
@@ -182,6 +179,9 @@ fn the_extended_predictor_can_be_better_in_every_run() {
     apart.start.extended.covariance[(2, 3)] = ratio(0, 1);
     apart.start.extended.covariance[(3, 2)] = ratio(0, 1);
     assert!(runs(&apart, Exponent::Natural(1), 40).iter().all(|errors| errors.extended < errors.standard));
+    // It is no matter of the indefinite start: with P_BB = 5000 in more than nine runs of ten (99 % of a thousand).
+    let repaired = runs(&Options::two_steps(Preset::Repaired.start(2)), Exponent::Natural(1), 100);
+    assert!(repaired.iter().filter(|errors| errors.extended < errors.standard).count() > 90);
     // One step ahead it is sometimes better too, at β = 2 in more than one run of ten.
     let closest = one_step(Preset::Closest, 10, Linearisation::Prediction);
     let better =
