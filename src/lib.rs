@@ -16,6 +16,7 @@
 //! | 2 | [`model`] | state space systems, their realisation along data, and what can be wrong with them |
 //! | 2 | [`trace`] | the named quantities of each step |
 //! | 3 | [`filter`] | the filter by three exact routes, the diffuse start, the d-step predictor |
+//! | 3 | [`riccati`] | the map of Riccati, its filter and its fixed point |
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
 //! | 5 | `reproduce` | the papers' tables and figures, simulated again (feature `judge`) |
@@ -70,6 +71,7 @@ pub mod protocol;
 pub mod report;
 #[cfg(feature = "judge")]
 pub mod reproduce;
+pub mod riccati;
 pub mod scalar;
 pub mod trace;
 

@@ -5,6 +5,7 @@
 mod ahead;
 mod digits;
 mod extended;
+mod steady;
 mod systems;
 mod truth;
 
