@@ -1,6 +1,6 @@
 //! The parallel sum, named after resistors: inverses add.
 
-use super::{Matrix, PseudoInverseError};
+use super::{Matrix, PseudoInverseError, SolveError};
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Matrix<S> {
@@ -34,6 +34,12 @@ impl<S: Scalar> Matrix<S> {
     /// ```
     pub fn parallel_sum(&self, other: &Self) -> Result<Self, PseudoInverseError> {
         assert!(self.is_square(), "a {} matrix has no parallel sum", self.shape());
-        Ok(self * (self + other).pseudo_inverse()? * other)
+        let total = self + other;
+        match total.solve(other) {
+            Ok(share) => Ok(self * share),
+            // Only a singular sum needs the pseudo-inverse, which costs several times as much.
+            Err(SolveError::Singular { .. }) => Ok(self * total.pseudo_inverse()? * other),
+            Err(SolveError::Undecided(undecided)) => Err(undecided.into()),
+        }
     }
 }

@@ -165,7 +165,8 @@ impl<S: OrderedField> RiccatiMap<S> {
 
     /// (S + W)⁺
     pub(super) fn information(&self, s: &Matrix<S>) -> Matrix<S> {
-        match (s + &self.observation_noise).pseudo_inverse() {
+        let total = s + &self.observation_noise;
+        match total.inverse().or_else(|_| total.pseudo_inverse()) {
             Ok(inverse) => inverse,
             Err(error) => unreachable!("over an ordered field every matrix has a pseudo-inverse, but {error}"),
         }
