@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::matrix_error::FloatMatrixError;
 use super::moments::{dense, finite};
-use super::symmetric::congruence;
+use super::symmetric::{congruence, with_transpose};
 use crate::matrix::Matrix;
 
 /// After i doublings 2ⁱ steps are done; convergence is quadratic.
@@ -43,8 +43,8 @@ pub fn riccati_fixed_point(a: &Matrix<f64>, v: &Matrix<f64>, w: &Matrix<f64>) ->
     let (a, v, w) = (dense(a), dense(v), dense(w));
     let n = a.nrows();
     let total = (&v + &w).cholesky().ok_or(FloatMatrixError::Singular)?;
-    let mut h = symmetrised(&v * total.solve(&w));
-    let mut g = symmetrised(a.transpose() * total.solve(&a));
+    let mut h = with_transpose(&(&v * total.solve(&w))) / 2.0;
+    let mut g = with_transpose(&(a.transpose() * total.solve(&a))) / 2.0;
     let mut e = &w * total.solve(&a);
     for _ in 0..DOUBLINGS {
         // H + E H(I + GH)⁻¹Eᵀ, G + Eᵀ(I + GH)⁻¹G E and E(I + HG)⁻¹E: two steps of the same form in one.
@@ -52,8 +52,8 @@ pub fn riccati_fixed_point(a: &Matrix<f64>, v: &Matrix<f64>, w: &Matrix<f64>) ->
         let solve = |right: &DMatrix<f64>| factors.solve(right).ok_or(FloatMatrixError::Singular);
         let et = e.transpose();
         let moved = solve(&et)?;
-        let more = symmetrised(&e * (&h * &moved));
-        let next_g = &g + congruence(&et, &symmetrised(solve(&g)?));
+        let more = with_transpose(&(&e * (&h * &moved))) / 2.0;
+        let next_g = &g + congruence(&et, &(with_transpose(&solve(&g)?) / 2.0));
         e = (&et * &moved).transpose();
         let next = &h + more;
         if !next.iter().chain(next_g.iter()).chain(e.iter()).all(|entry| entry.is_finite()) {
@@ -65,8 +65,4 @@ pub fn riccati_fixed_point(a: &Matrix<f64>, v: &Matrix<f64>, w: &Matrix<f64>) ->
         (h, g) = (next, next_g);
     }
     Err(FloatMatrixError::Unconverged)
-}
-
-fn symmetrised(matrix: DMatrix<f64>) -> DMatrix<f64> {
-    (&matrix + matrix.transpose()) / 2.0
 }

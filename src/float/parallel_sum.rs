@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use super::matrix_error::FloatMatrixError;
 use super::moments::{dense, finite};
 use super::pseudo_inverse::pseudo_inverse;
+use super::symmetric::with_transpose;
 use crate::matrix::Matrix;
 
 /// F(F + G)⁺G with the pseudo-inverse by the spectrum; symmetric to the last bit (AK-Par in floating point).
@@ -36,5 +37,5 @@ pub fn parallel_sum(f: &Matrix<f64>, g: &Matrix<f64>) -> Result<Matrix<f64>, Flo
 
 fn dense_parallel_sum(f: &DMatrix<f64>, g: &DMatrix<f64>) -> Result<DMatrix<f64>, FloatMatrixError> {
     let product = f * pseudo_inverse(&(f + g))? * g;
-    Ok((&product + product.transpose()) / 2.0)
+    Ok(with_transpose(&product) / 2.0)
 }

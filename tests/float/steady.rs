@@ -129,25 +129,11 @@ proptest! {
         let digits = digits(&rational(&found), &exact);
         prop_assert!(digits >= attainable - ALLOWED, "{digits:.1} digits of {attainable:.1}");
     }
-
-    /// AK-L4.2: Stein's equation by doubling, with ρ(D) below 1 by the exact test.
-    #[test]
-    fn stein_solutions_keep_their_digits((d, q) in (1usize..=3).prop_flat_map(|n| (matrices(n, n), definite(n))), scale in 0u32..3) {
-        let d = d.scaled(&ratio(1, 1 << scale));
-        prop_assume!(d.spectral_radius_lt(&ratio(1, 1)));
-        let solution = |d: &Q, q: &Q| d.stein_solution(q).ok();
-        let exact = solution(&d, &q).expect("ρ(D) < 1");
-        let found = float::stein_solution(&doubles(&d), &doubles(&q)).expect("ρ(D) < 1");
-        prop_assert_eq!(found.asymmetry(), None);
-        let attainable = attainable(&exact, |signs| solution(&signs.moved(&d), &signs.moved_symmetric(&q)));
-        let digits = digits(&rational(&found), &exact);
-        prop_assert!(digits >= attainable - ALLOWED, "{digits:.1} digits of {attainable:.1}");
-    }
 }
 
 proptest! {
     // Each case takes twenty-one exact solutions.
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 16, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// AK-T2.3: the fixed point by doubling, for stable and unstable A and singular W.
     #[test]
@@ -161,6 +147,19 @@ proptest! {
             let w = if singular { w.clone() } else { signs.moved_symmetric(&w) };
             fixed_point(&signs.moved(&a), &signs.moved_symmetric(&v), &w)
         });
+        let digits = digits(&rational(&found), &exact);
+        prop_assert!(digits >= attainable - ALLOWED, "{digits:.1} digits of {attainable:.1}");
+    }
+    /// AK-L4.2: Stein's equation by doubling, with ρ(D) below 1 by the exact test.
+    #[test]
+    fn stein_solutions_keep_their_digits((d, q) in (1usize..=3).prop_flat_map(|n| (matrices(n, n), definite(n))), scale in 0u32..3) {
+        let d = d.scaled(&ratio(1, 1 << scale));
+        prop_assume!(d.spectral_radius_lt(&ratio(1, 1)));
+        let solution = |d: &Q, q: &Q| d.stein_solution(q).ok();
+        let exact = solution(&d, &q).expect("ρ(D) < 1");
+        let found = float::stein_solution(&doubles(&d), &doubles(&q)).expect("ρ(D) < 1");
+        prop_assert_eq!(found.asymmetry(), None);
+        let attainable = attainable(&exact, |signs| solution(&signs.moved(&d), &signs.moved_symmetric(&q)));
         let digits = digits(&rational(&found), &exact);
         prop_assert!(digits >= attainable - ALLOWED, "{digits:.1} digits of {attainable:.1}");
     }
