@@ -52,7 +52,7 @@ pub enum RiccatiError<S> {
         source: LdlError<S>,
     },
     /// M has no inverse: the model is not that of Anderson and others.
-    #[error("{} is singular: v = {direction:?} has M v = 0", Role::Sensors)]
+    #[error("{} is singular: M v = 0 for v = {direction}", Role::Sensors)]
     SensorsSingular {
         /// A vector v ≠ 0 with M v = 0.
         direction: Matrix<S>,

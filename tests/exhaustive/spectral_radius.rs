@@ -13,7 +13,7 @@ type Q = Matrix<Rational>;
 fn by_minors<S: Scalar>(a: &Matrix<S>) -> Vec<S> {
     let coefficient = |k: usize| {
         let sum = principal(a, k).iter().fold(S::zero(), |sum, minor| sum.plus(minor));
-        if k % 2 == 0 { sum } else { sum.negated() }
+        if k.is_multiple_of(2) { sum } else { sum.negated() }
     };
     (0..=a.rows()).rev().map(coefficient).collect()
 }

@@ -5,7 +5,7 @@ use exact_kalman::riccati::{FixedPointEnclosure, FixedPointError};
 use exact_kalman::scalar::{Rational, ratio};
 use proptest::prelude::*;
 
-use super::draws::{Constructed, Q, constructed, integers, le, map, matrices, number, scalar, semidefinite};
+use super::draws::{Constructed, Q, constructed, integers, inverse, le, map, matrices, number, scalar, semidefinite};
 
 /// The fixed point of (A, V, W) within the given gap, or what a thousand steps reach.
 fn enclosed(a: &Q, v: &Q, w: &Q, gap: &Rational) -> FixedPointEnclosure {
@@ -47,16 +47,19 @@ proptest! {
         prop_assert_eq!(wanted.next(), None, "S∞(n) stays away from S∞");
     }
 
-    /// AK-C2.2: with more state noise, V + εE for E ≥ 0, the fixed point moves from T up by at most εX, where X − DXDᵀ = E for the
-    /// loop D of T: φ is concave, φ(S) ≤ φ(T) + D(S − T)Dᵀ. Enclosures see it at every ε.
+    /// AK-C2.2: with more noise, V + εE and W + εF for E, F ≥ 0, the fixed point moves from T up by at most εX, where
+    /// X − DXDᵀ = E + KFKᵀ with the loop D of T and K = AT(T + W)⁻¹: φ is monotone and concave in S, V and W together, so
+    /// that it lies below its tangent. Enclosures see it at every ε.
     #[test]
     fn more_noise_moves_the_fixed_point_by_a_stein_solution(
-        (Constructed { a, v, w, t }, more) in (1usize..=2).prop_flat_map(|n| (constructed(n), semidefinite(n)))
+        (Constructed { a, v, w, t }, e, f) in (1usize..=2).prop_flat_map(|n| (constructed(n), semidefinite(n), semidefinite(n)))
     ) {
         let d = map(&a, &v, &w).closed_loop(&t);
-        let x = d.stein_solution(&more).unwrap_or_else(|error| panic!("ρ(D) < 1, but {error}"));
+        let k = &a * &t * inverse(&(&t + &w));
+        let x = d.stein_solution(&(&e + k.congruence(&f))).unwrap_or_else(|error| panic!("ρ(D) < 1, but {error}"));
         for epsilon in [ratio(1, 1), ratio(1, 1 << 10), ratio(1, 1 << 30)] {
-            let found = enclosed(&a, &(&v + more.scaled(&epsilon)), &w, &(&epsilon / ratio(1000, 1)));
+            let (v, w) = (&v + e.scaled(&epsilon), &w + f.scaled(&epsilon));
+            let found = enclosed(&a, &v, &w, &(&epsilon / ratio(1000, 1)));
             prop_assert!(le(&t, &found.upper));
             prop_assert!(le(&found.lower, &(&t + x.scaled(&epsilon))));
         }
