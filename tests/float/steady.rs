@@ -39,7 +39,7 @@ fn doubles(matrix: &Q) -> Matrix<f64> {
     matrix.try_map(|entry| double(entry).ok_or(())).expect("dyadic data")
 }
 
-/// A stream of signs: the low bits of a multiplicative generator would do worse.
+/// A seeded stream of signs: the top bits of Knuth's linear congruential generator.
 struct Signs(u64);
 
 impl Signs {
