@@ -128,9 +128,11 @@ fn overview(out: &mut impl Write, all: &[Entry<'_>]) -> Result<(), Trouble> {
 fn whole(out: &mut impl Write, entry: &Entry<'_>) -> Result<(), Trouble> {
     writeln!(out, "{} · {} ({})", entry.id, entry.title, entry.paper.name())?;
     writeln!(out, "\n    {}\n", entry.equation)?;
-    writeln!(out, "{}", entry.status)?;
-    if !entry.text.is_empty() {
-        writeln!(out, "{}", plain(&entry.text))?;
+    // Text that begins in lower case goes on where the status left off.
+    match entry.text.chars().next() {
+        None => writeln!(out, "{}", entry.status)?,
+        Some(first) if first.is_lowercase() => writeln!(out, "{}: {}", entry.status, plain(&entry.text))?,
+        Some(_) => writeln!(out, "{}\n{}", entry.status, plain(&entry.text))?,
     }
     for Erratum { printed, right, witness, consequence } in &entry.errata {
         writeln!(out, "erratum")?;

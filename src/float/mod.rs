@@ -15,13 +15,12 @@
 //!
 //! A further form is one file that implements `Recursion`, and its variant in [`Form`]. [`predict_extended`] is the same
 //! recursion on nonlinear systems.
+//!
 //! Beside the forms stand the parallel sum, the fixed point of the map of Riccati and Stein's equation.
 
 mod ahead;
 mod error;
 mod extended;
-mod extended_error;
-mod extended_system;
 mod fixed_point;
 mod form;
 mod joseph;
@@ -38,9 +37,10 @@ mod textbook;
 mod transition;
 
 pub use error::FloatError;
-pub use extended::{ExtendedStep, ExtendedTrace, predict_extended};
-pub use extended_error::{ExtendedError, ExtendedObstacle};
-pub use extended_system::{AdditiveNoise, ExtendedSystem, Function, Linearisation, Linearised};
+pub use extended::{
+    AdditiveNoise, ExtendedError, ExtendedObstacle, ExtendedStep, ExtendedSystem, ExtendedTrace, Function,
+    Linearisation, Linearised, predict_extended,
+};
 pub use fixed_point::riccati_fixed_point;
 pub use form::{Form, filter, predict_ahead};
 pub use matrix_error::FloatMatrixError;

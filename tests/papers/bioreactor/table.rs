@@ -147,7 +147,7 @@ fn the_closest_start_is_a_fit_and_no_reproduction() {
 }
 
 /// HV-Tab1, HV-EKP: the size of Δ is decided by what the paper does not say. Medians of sixty runs at β = 0 lie between 1/2
-/// and 5000 per cent; the bands beside them are those of 300 runs under other seeds, and none of them meets another.
+/// and 5000 per cent; the bands beside them were taken from 300 runs, and none of them meets another.
 #[test]
 fn what_is_not_given_decides_the_efficiency() {
     use Linearisation::{Filtered, Prediction};

@@ -1,6 +1,6 @@
 //! Why the extended predictor stopped.
 
-use super::extended::ExtendedStep;
+use super::ExtendedStep;
 
 /// Why one step of the extended predictor cannot be done; `E` is the error of the system's own functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,44 +1,23 @@
 //! The extended Kalman predictor: the recursion on a nonlinear system, made linear anew at each step.
 
+mod error;
+mod system;
+mod trace;
+
 use std::fmt::{Debug, Display};
 use std::num::NonZeroUsize;
 
 use nalgebra::{DMatrix, DVector};
 
+pub use error::{ExtendedError, ExtendedObstacle};
+pub use system::{AdditiveNoise, ExtendedSystem, Function, Linearisation, Linearised};
+pub use trace::{ExtendedStep, ExtendedTrace};
+
 use super::error::Obstacle;
-use super::extended_error::{ExtendedError, ExtendedObstacle};
-use super::extended_system::{AdditiveNoise, ExtendedSystem, Linearisation, Linearised};
 use super::moments::{Moments, dense, dense_column, finite, finite_column};
 use super::symmetric::{congruence, with_transpose};
 use crate::model::Observation;
-use crate::trace;
-
-/// One step of the extended predictor. What it calls moments are those of the linear system put in place of the true one.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExtendedStep {
-    /// x_k given y_0, …, y_{k−1}.
-    pub predicted: trace::Moments<f64>,
-    /// x_k given y_0, …, y_k.
-    pub filtered: trace::Moments<f64>,
-    /// x_{k+1}, …, x_{k+d} given y_0, …, y_k.
-    pub ahead: Vec<trace::Moments<f64>>,
-}
-
-/// What the extended predictor computes along some readings.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ExtendedTrace {
-    /// x_0, …, x_{d−1} before any reading.
-    pub prior: Vec<trace::Moments<f64>>,
-    /// One step per reading.
-    pub steps: Vec<ExtendedStep>,
-}
-
-impl ExtendedTrace {
-    /// For k = 0, 1, …: x_k given y_0, …, y_{k−d}, and before any reading for k < d.
-    pub fn predictions(&self) -> impl Iterator<Item = &trace::Moments<f64>> {
-        self.prior.iter().chain(self.steps.iter().filter_map(|step| step.ahead.last()))
-    }
-}
+use crate::trace::Moments as Law;
 
 /// The extended Kalman predictor, up to `ahead` = d steps ahead.
 ///
@@ -228,12 +207,7 @@ impl<E> ExtendedSystem<'_, E> {
     }
 
     /// The laws of x_k, …, x_{k+d−1}, the first of which is given.
-    fn laws_from(
-        &self,
-        k: usize,
-        first: Moments,
-        count: NonZeroUsize,
-    ) -> Result<Vec<trace::Moments<f64>>, ExtendedObstacle<E>> {
+    fn laws_from(&self, k: usize, first: Moments, count: NonZeroUsize) -> Result<Vec<Law<f64>>, ExtendedObstacle<E>> {
         let mut laws = vec![shown(&first)?];
         let mut law = first;
         for step in k..k + count.get() - 1 {
@@ -244,8 +218,8 @@ impl<E> ExtendedSystem<'_, E> {
     }
 }
 
-fn shown<E>(moments: &Moments) -> Result<trace::Moments<f64>, ExtendedObstacle<E>> {
-    Ok(trace::Moments { mean: finite_column(&moments.mean)?, covariance: finite(&moments.covariance)?, diffuse: None })
+fn shown<E>(moments: &Moments) -> Result<Law<f64>, ExtendedObstacle<E>> {
+    Ok(Law { mean: finite_column(&moments.mean)?, covariance: finite(&moments.covariance)?, diffuse: None })
 }
 
 impl<E> From<Obstacle> for ExtendedObstacle<E> {
