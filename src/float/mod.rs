@@ -17,9 +17,13 @@
 //! recursion on nonlinear systems.
 //!
 //! Beside the forms stand the parallel sum, the fixed point of the map of Riccati and Stein's equation.
+//! [`Estimator`] and [`AdaptiveFilter`] are the twins of the exact ones in the room `identify`, which they do not know
+//! (AK-2.1, AK-2.2, AK-B.hat, AK-2.3a, AK-2.4).
 
+mod adaptive;
 mod ahead;
 mod error;
+mod estimator;
 mod extended;
 mod fixed_point;
 mod form;
@@ -36,7 +40,9 @@ mod symmetric;
 mod textbook;
 mod transition;
 
+pub use adaptive::{AdaptiveFilter, Gained};
 pub use error::FloatError;
+pub use estimator::{Estimates, Estimator, NoInverse};
 pub use extended::{
     AdditiveNoise, ExtendedError, ExtendedObstacle, ExtendedStep, ExtendedSystem, ExtendedTrace, Function,
     Linearisation, Linearised, predict_extended,
