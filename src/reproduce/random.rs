@@ -29,9 +29,8 @@ impl Stream {
     pub fn named(name: &str, seed: u64) -> Self {
         // FNV-1a over the seed and the name.
         let bytes = seed.to_le_bytes().into_iter().chain(name.bytes());
-        let hash = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        });
+        let hash = bytes
+            .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3));
         Self { generator: Pcg64Mcg::seed_from_u64(hash), spare: None }
     }
 
