@@ -1,8 +1,9 @@
 //! The filter run on estimates, in `f64`.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::Estimates;
+use super::pseudo_inverse::pseudo_inverse;
 use crate::model::Repair;
 
 /// The adaptive filter between two readings (AK-2.3a, AK-2.3b, AK-2.3c, AK-2.4).
@@ -34,8 +35,7 @@ impl<const P: usize> AdaptiveFilter<P> {
 
     /// Takes the reading y(k), with the estimates from y(1), …, y(k).
     ///
-    /// Nothing, and no change, where a matrix has no inverse: Â(k) under [`Repair::Keep`], or Ŝ(k) + Ŵ(k) unless it
-    /// is zero.
+    /// Nothing, and no change, where Â(k) has no inverse under [`Repair::Keep`], or a result is not finite.
     pub fn observe(&mut self, estimates: &Estimates<P>, y: SVector<f64, P>) -> Option<Gained<P>> {
         let [v, w] = match estimates.noise() {
             Some((v, w)) => [self.repaired(0, Some(v)), self.repaired(1, Some(w))],
@@ -54,8 +54,7 @@ impl<const P: usize> AdaptiveFilter<P> {
         y: SVector<f64, P>,
     ) -> Option<Gained<P>> {
         let s = a * self.covariance * a.transpose() + v;
-        let sum = s + w;
-        let gain = if sum.iter().all(|entry| *entry == 0.0) { sum } else { s * sum.try_inverse()? };
+        let gain = quotient(s, s + w)?;
         let rest = SMatrix::<f64, P, P>::identity() - gain;
         self.mean = rest * (a * self.mean) + gain * y;
         self.covariance = rest * s;
@@ -73,6 +72,23 @@ impl<const P: usize> AdaptiveFilter<P> {
             _ => SMatrix::zeros(),
         }
     }
+}
+
+/// `s t⁺` for symmetric s and t: by Cholesky where t is certainly positive definite, else by the spectrum of t.
+fn quotient<const P: usize>(s: SMatrix<f64, P, P>, t: SMatrix<f64, P, P>) -> Option<SMatrix<f64, P, P>> {
+    if let Some(factor) = t.cholesky() {
+        let pivots = factor.l_dirty().diagonal().map(|pivot| pivot * pivot);
+        #[expect(clippy::cast_precision_loss, reason = "no matrix has 2^53 rows")]
+        let threshold = P as f64 * f64::EPSILON * pivots.max();
+        if pivots.min() > threshold {
+            return Some(factor.solve(&s).transpose());
+        }
+    }
+    if P == 1 && t.iter().all(|entry| entry.is_finite()) {
+        return Some(s.zip_map(&t, |s, t| if t == 0.0 { 0.0 } else { s / t }));
+    }
+    let inverse = pseudo_inverse(&DMatrix::from_fn(P, P, |i, j| t[(i, j)])).ok()?;
+    Some(s * SMatrix::<f64, P, P>::from_fn(|i, j| inverse[(i, j)]))
 }
 
 /// Whether LDLᵀ of the lower triangle meets no negative pivot, and no zero pivot above a nonzero entry.

@@ -1,6 +1,6 @@
 //! Estimates of A and of the noise covariances from readings, in `f64`.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, SMatrix, SVector};
 
 use crate::model::Reading;
 
@@ -18,11 +18,16 @@ pub struct Estimates<const P: usize> {
 }
 
 impl<const P: usize> Estimates<P> {
-    /// V̂(n) and Ŵ(n) (AK-B.hat); nothing where LU finds no inverse of Â(n).
+    /// V̂(n) and Ŵ(n) (AK-B.hat); nothing where LU finds no inverse of Â(n), and for n < p + 2, where Â(n) has a rank of
+    /// at most n − 2 and rounding would only hide it.
     pub fn noise(&self) -> Option<(SMatrix<f64, P, P>, SMatrix<f64, P, P>)> {
         let (a, b1) = (self.transition, self.one_step);
-        let inverse = a.try_inverse()?;
-        let observation = (b1 + inverse * (b1 - self.two_step) * inverse.transpose()) * 0.5;
+        if self.count < P + 2 {
+            return None;
+        }
+        // A⁻¹ D A⁻ᵀ, with D = B(1) − B(2) symmetric.
+        let half = solved(a, b1 - self.two_step)?;
+        let observation = (b1 + solved(a, half.transpose())?) * 0.5;
         Some((b1 - observation - a * observation * a.transpose(), observation))
     }
 }
@@ -60,7 +65,7 @@ impl<const P: usize> Estimator<P> {
     ///
     /// # Errors
     ///
-    /// [`NoInverse`] if the lag sum is singular; what follows has then no meaning.
+    /// [`NoInverse`] if the lag sum is singular and not only short of terms; what follows has then no meaning.
     pub fn observe(&mut self, y: SVector<f64, P>) -> Result<(), NoInverse> {
         self.readings.push(y);
         let count = self.readings.len();
@@ -70,7 +75,12 @@ impl<const P: usize> Estimator<P> {
         let (y1, y2) = (self.readings[count - 2], self.readings[count - 3]);
         self.ahead += y * y2.transpose();
         self.lag += y1 * y2.transpose();
-        let a = self.ahead * self.lag.try_inverse().ok_or(NoInverse { count })?;
+        let a = if count < P + 2 {
+            self.early()
+        } else {
+            solved(self.lag.transpose(), self.ahead.transpose()).map(|a| a.transpose())
+        };
+        let a = a.ok_or(NoInverse { count })?;
         let before = self.transition.replace(a).unwrap_or(a);
         let (one, two) = match self.reading {
             Reading::Predictive => (before, a * before),
@@ -82,6 +92,17 @@ impl<const P: usize> Estimator<P> {
             self.squares[1] += second * second.transpose();
         }
         Ok(())
+    }
+
+    /// Â(n) for n < p + 2, where the lag sum YZᵀ has fewer terms than rows: (YZᵀ)⁺ is then (Zᵀ)⁺Y⁺, so that
+    /// XZᵀ(YZᵀ)⁺ = XY⁺ = X(YᵀY)⁻¹Yᵀ, if the columns y(2), … of Y and y(1), … of Z are independent.
+    fn early(&self) -> Option<SMatrix<f64, P, P>> {
+        let terms = self.readings.len() - 2;
+        let columns = |first: usize| DMatrix::from_fn(P, terms, |i, j| self.readings[first + j][i]);
+        let (x, y, z) = (columns(2), columns(1), columns(0));
+        (z.transpose() * &z).try_inverse()?;
+        let a = x * (y.transpose() * &y).try_inverse()? * y.transpose();
+        Some(SMatrix::from_fn(|i, j| a[(i, j)]))
     }
 
     /// The estimates from all readings so far; nothing before the third.
@@ -101,4 +122,16 @@ impl<const P: usize> Estimator<P> {
         let residual = |k: usize| self.readings[k] - f * self.readings[k - i];
         (2..self.readings.len()).map(residual).fold(SMatrix::zeros(), |sum, r| sum + r * r.transpose())
     }
+}
+
+/// The solution x of m x = right by LU with partial pivoting; a zero pivot is the only sign of a singular m.
+///
+/// Not `SMatrix::try_inverse`: up to order four it expands by cofactors, which is less accurate.
+fn solved<const P: usize>(m: SMatrix<f64, P, P>, right: SMatrix<f64, P, P>) -> Option<SMatrix<f64, P, P>> {
+    if P == 1 {
+        return m.iter().all(|&entry| entry != 0.0).then(|| right.component_div(&m));
+    }
+    let dynamic = |matrix: SMatrix<f64, P, P>| DMatrix::from_fn(P, P, |i, j| matrix[(i, j)]);
+    let x = dynamic(m).lu().solve(&dynamic(right))?;
+    Some(SMatrix::from_fn(|i, j| x[(i, j)]))
 }

@@ -6,6 +6,7 @@ mod ahead;
 mod digits;
 mod extended;
 mod steady;
+mod identification;
 mod systems;
 mod truth;
 

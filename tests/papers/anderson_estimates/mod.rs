@@ -10,6 +10,10 @@ mod martingales;
 mod numbers;
 mod products;
 mod residuals;
+#[cfg(feature = "judge")]
+mod simulated;
 mod solution;
 mod summed_products;
+#[cfg(feature = "judge")]
+mod table;
 mod world;

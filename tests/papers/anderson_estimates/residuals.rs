@@ -88,6 +88,22 @@ fn estimated_noise_may_be_negative() {
     assert!(negative(0) > 0 && negative(1) > 0 && all.len() > 300, "{} {} {}", negative(0), negative(1), all.len());
 }
 
+/// AK-B.hat, AK-2.1: for n < p + 2 the lag sum has only n − 2 terms of rank one, so Â(n) is singular and there are no V̂(n)
+/// and Ŵ(n); from n = p + 2 on there usually are.
+#[test]
+fn few_readings_give_a_singular_estimate() {
+    let mut draws = Draws::seeded(16);
+    for p in [2, 3] {
+        let all =
+            estimates(&series(&draws.readings(p, p + 3)), Reading::Printed).unwrap_or_else(|error| panic!("{error}"));
+        for one in &all {
+            assert!(one.transition.rank() <= one.count - 2);
+            assert!(one.count >= p + 2 || one.noise().is_err());
+        }
+        assert!(all.iter().any(|one| one.noise().is_ok()), "p = {p}");
+    }
+}
+
 /// AK-2.2: for p = 1 the term k = 3 of B(n,1) vanishes whenever y(2)y(1) ≠ 0, as Â(3) = y(3)/y(2). AK-Rem2.2: with the
 /// last estimate throughout it does not, and the two estimates differ.
 #[test]
