@@ -5,8 +5,10 @@
 mod cases;
 mod check;
 mod exit;
+mod identify;
 mod input;
 mod judge;
+mod reproduce;
 mod shown;
 mod solve;
 mod spec;
@@ -42,6 +44,8 @@ enum Verb {
     Judge(judge::JudgeAnswers),
     Cases(cases::ListCases),
     Spec(spec::Spec),
+    Identify(identify::Identify),
+    Reproduce(reproduce::Reproduce),
 }
 
 /// How results are printed.
@@ -70,6 +74,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Judge(verb) => verb.run(),
         Verb::Cases(verb) => verb.run(),
         Verb::Spec(verb) => verb.run(),
+        Verb::Identify(verb) => verb.run(),
+        Verb::Reproduce(verb) => verb.run(),
     };
     match outcome {
         Ok(exit) => exit.into(),

@@ -37,6 +37,9 @@ fn transition(series: &Series<Rational>, n: usize) -> Q {
     ahead * two.transpose() * inverse
 }
 
+/// What stands for Âⁱ at step k.
+type Factor<'a> = Box<dyn Fn(usize) -> Q + 'a>;
+
 /// B(n,i): all residuals side by side, each with its own matrix F for Âⁱ, times their transpose.
 fn residual_covariance(series: &Series<Rational>, n: usize, i: usize, factor: impl Fn(usize) -> Q) -> Q {
     let y = |k: usize| &series.readings()[k - 1];
@@ -58,7 +61,7 @@ proptest! {
             prop_assert_eq!(found.iter().map(|one| one.count).collect::<Vec<_>>(), (3..=readings.len()).collect::<Vec<_>>());
             for Estimates { count: n, transition, residuals } in found {
                 prop_assert_eq!(transition, a(n));
-                let (one, two): (Box<dyn Fn(usize) -> Q>, Box<dyn Fn(usize) -> Q>) = match reading {
+                let (one, two): (Factor, Factor) = match reading {
                     Reading::Printed => (Box::new(a), Box::new(|k| a(k) * a(k))),
                     Reading::Last => (Box::new(move |_| a(n)), Box::new(move |_| a(n) * a(n))),
                     Reading::Predictive => (Box::new(|k| a(k - 1)), Box::new(|k| a(k) * a(k - 1))),

@@ -7,7 +7,7 @@ use std::process::{Command, Stdio};
 
 use crate::program::{Directory, PROGRAM, Ran, run};
 
-const VERBS: [&str; 5] = ["solve", "check", "judge", "cases", "spec"];
+const VERBS: [&str; 7] = ["solve", "check", "judge", "cases", "identify", "reproduce", "spec"];
 
 fn help(verb: Option<&str>) -> String {
     let arguments: Vec<&str> = verb.into_iter().chain(["--help"]).collect();

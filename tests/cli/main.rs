@@ -4,10 +4,12 @@
 mod cases;
 mod check;
 mod help;
+mod identify;
 mod input;
 mod judge;
 mod misbehaviour;
 mod program;
 mod report;
+mod reproduce;
 mod solve;
 mod spec;

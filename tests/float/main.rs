@@ -5,8 +5,8 @@
 mod ahead;
 mod digits;
 mod extended;
-mod steady;
 mod identification;
+mod steady;
 mod systems;
 mod truth;
 

@@ -5,6 +5,7 @@ mod answers;
 mod bad_input;
 mod cases;
 mod decimals;
+mod identification;
 mod mutation;
 mod numbers;
 mod page;
