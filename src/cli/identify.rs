@@ -46,8 +46,8 @@ pub(super) struct Identify {
     format: Format,
 }
 
-/// The largest work that is begun: fractions lengthen with every reading.
-const MAXIMAL_ORDER: usize = 16;
+/// The largest work that is begun, some seconds (in release mode): fractions lengthen with every reading.
+const MAXIMAL_ORDER: usize = 4;
 const MAXIMAL_LAGS: usize = 32;
 
 /// A step: its title, and its values by name.
@@ -130,11 +130,11 @@ fn moments_steps(document: &Identification, moments: &Moments) -> Result<Vec<Ste
     let (n, p) = (moments.readings.len(), moments.readings.first().map_or(0, Vec::len));
     let most = match (reading, &moments.adaptive_filter) {
         (Reading::Last, None) => 4000,
-        (Reading::Last, Some(_)) => 160,
-        (_, None) => 400,
-        (_, Some(_)) => 32,
+        (Reading::Last, Some(_)) => 80,
+        (_, None) => 120,
+        (_, Some(_)) => 24,
     };
-    if p > MAXIMAL_ORDER || n.saturating_mul(p.saturating_mul(p)) > most {
+    if p > MAXIMAL_ORDER || n.saturating_mul(p.saturating_pow(3)) > most {
         let hint = "with `\"residuals\": \"last\"` and without the adaptive filter there may be more";
         return Err(too_large(PATH, &format!("{n} readings of {p} components ({hint})")));
     }
