@@ -56,4 +56,9 @@ impl Stream {
             }
         }
     }
+
+    /// So many pairs of standard normal numbers.
+    pub fn pairs(&mut self, count: usize) -> Vec<[f64; 2]> {
+        (0..count).map(|_| [self.normal(), self.normal()]).collect()
+    }
 }

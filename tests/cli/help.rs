@@ -7,10 +7,23 @@ use std::process::{Command, Stdio};
 
 use crate::program::{Directory, PROGRAM, Ran, run};
 
-const VERBS: [&str; 7] = ["solve", "check", "judge", "cases", "identify", "reproduce", "spec"];
+const VERBS: [&str; 11] = [
+    "solve",
+    "check",
+    "judge",
+    "cases",
+    "identify",
+    "reproduce",
+    "reproduce AK-Tab1",
+    "reproduce HV-Tab1",
+    "reproduce HV-Fig1",
+    "reproduce HV-Fig2",
+    "spec",
+];
 
 fn help(verb: Option<&str>) -> String {
-    let arguments: Vec<&str> = verb.into_iter().chain(["--help"]).collect();
+    let words = verb.into_iter().flat_map(str::split_whitespace);
+    let arguments: Vec<&str> = words.chain(["--help"]).collect();
     run(&arguments).quietly(0)
 }
 

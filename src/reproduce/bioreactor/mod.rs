@@ -15,7 +15,6 @@
 mod error;
 mod extended;
 mod figure;
-mod noise;
 mod options;
 mod printed;
 mod quantile;
@@ -32,7 +31,6 @@ mod trial;
 pub use error::{BioreactorError, Unphysical};
 pub use extended::{extended_predictions, linear_at};
 pub use figure::{Figure, Point, figure};
-pub use noise::Stream;
 pub use options::{Options, Truth};
 pub use printed::{PRINTED, Printed};
 pub use quantile::Band;

@@ -1,12 +1,13 @@
 //! One run of the reactor, predicted twice.
 
 use super::{
-    Belief, BioreactorError, Earlier, Exponent, Options, Setting, Stream, Truth, extended_predictions,
-    mean_squared_error, path_in_doubles, standard_predictions,
+    Belief, BioreactorError, Earlier, Exponent, Options, Setting, Truth, extended_predictions, mean_squared_error,
+    path_in_doubles, standard_predictions,
 };
 use crate::filter::FilterError;
 use crate::gaussian::Gaussian;
 use crate::matrix::Matrix;
+use crate::reproduce::Stream;
 use crate::scalar::{Rational, exact_value};
 
 /// The mean squared errors of one run.

@@ -1,7 +1,8 @@
 //! Figures 1 and 2 as data.
 
+use exact_kalman::reproduce::Stream;
 use exact_kalman::reproduce::bioreactor::{
-    BioreactorError, Errors, Exponent, Figure, Options, Preset, Stream, figure, mean_squared_error, trial,
+    BioreactorError, Errors, Exponent, Figure, Options, Preset, figure, mean_squared_error, trial,
 };
 
 fn options(two: bool) -> Options {

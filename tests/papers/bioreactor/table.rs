@@ -164,29 +164,28 @@ fn what_is_not_given_decides_the_efficiency() {
 }
 
 /// HV-Fig2, HV-Tab1: "uniformly better" is false. Two steps ahead, with the printed start, ẑ = 30 and linearisation at the
-/// prediction, the *extended* predictor is better in every run for β ≤ 1. Of a hundred: if it were better in fewer than 95 % of
-/// all runs, this would happen with probability below 0.6 %.
+/// prediction, the *extended* predictor is better in nearly every run for β ≤ 1 (1998 of 2000 at β = 1, all below). Of a
+/// hundred runs at least 98: if it were better in fewer than 90 % of all, this would happen with probability below 0.2 %.
 #[test]
-fn the_extended_predictor_can_be_better_in_every_run() {
+fn the_extended_predictor_can_be_better_in_nearly_every_run() {
+    let better = |errors: &[Errors]| errors.iter().filter(|errors| errors.extended < errors.standard).count();
     let options = two_steps(Preset::Printed, 30, Linearisation::Prediction);
     for exponent in [Exponent::Natural(1), Exponent::Real(0.5), Exponent::Natural(0)] {
-        for (run, errors) in runs(&options, exponent, 100).iter().enumerate() {
-            assert!(errors.extended < errors.standard, "β = {exponent}, run {run}");
-        }
+        let count = better(&runs(&options, exponent, 100));
+        assert!(count >= 98, "β = {exponent}: {count}");
     }
     // And with the doubt about the two old substrates independent instead of one.
     let mut apart = options;
     apart.start.extended.covariance[(2, 3)] = ratio(0, 1);
     apart.start.extended.covariance[(3, 2)] = ratio(0, 1);
-    assert!(runs(&apart, Exponent::Natural(1), 40).iter().all(|errors| errors.extended < errors.standard));
+    assert!(better(&runs(&apart, Exponent::Natural(1), 40)) >= 38);
     // It is no matter of the indefinite start: with P_BB = 5000 in more than nine runs of ten (99 % of a thousand).
     let repaired = runs(&Options::two_steps(Preset::Repaired.start(2)), Exponent::Natural(1), 100);
-    assert!(repaired.iter().filter(|errors| errors.extended < errors.standard).count() > 90);
+    assert!(better(&repaired) > 90);
     // One step ahead it is sometimes better too, at β = 2 in more than one run of ten.
     let closest = one_step(Preset::Closest, 10, Linearisation::Prediction);
-    let better =
-        runs(&closest, Exponent::Natural(2), 100).iter().filter(|errors| errors.extended < errors.standard).count();
-    assert!(better > 10, "{better}");
+    let count = better(&runs(&closest, Exponent::Natural(2), 100));
+    assert!(count > 10, "{count}");
 }
 
 /// HV-EKP: two steps ahead in the filter form, from ẑ = 30, the estimate of the old substrate turns negative for β ≤ 1/2: the

@@ -1,31 +1,28 @@
-//! `reproduce`: published tables, simulated again.
+//! `reproduce AK-Tab1`: the estimates of Anderson et al. over fifty runs.
 
 use std::io::Write as _;
 
 use clap::ValueEnum;
 use serde_json::json;
 
-use super::Format;
-use super::exit::{Exit, Trouble};
+use crate::cli::Format;
+use crate::cli::exit::{Exit, Trouble};
 use crate::model::{Reading, Repair};
 use crate::reproduce::{ConsistencyTable, Setting};
 
 const EXAMPLES: &str = "\
 Examples:
-  exact-kalman reproduce AK-Tab1                        the table of Anderson et al. 1969
+  exact-kalman reproduce AK-Tab1
   exact-kalman reproduce AK-Tab1 --batches 50           quickly, with unsure bounds
   exact-kalman reproduce AK-Tab1 --batches 50 --reading last --seed 2 --format json
 
 Each experiment of the paper is repeated many times, and each printed number compared with the
-central 95 % of what comes out. Exit codes: 0 all simulated, 2 trouble with the command line";
+central 95 % of what comes out.";
 
-/// Simulate a published table again
+/// Table 1 of Anderson et al. 1969: estimates over fifty runs
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXAMPLES)]
-pub(super) struct Reproduce {
-    /// The identifier of the table in SPEC.md.
-    #[arg(value_enum)]
-    target: Target,
+pub(super) struct Consistency {
     /// How often the published experiment is repeated.
     #[arg(long, default_value_t = 400, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     batches: u32,
@@ -39,14 +36,6 @@ pub(super) struct Reproduce {
     /// How to print the table.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
-}
-
-/// What can be reproduced.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Target {
-    /// Anderson et al. 1969, Table 1: estimates over fifty runs.
-    #[value(name = "AK-Tab1")]
-    ConsistencyTable,
 }
 
 /// The readings of (2.2) by name.
@@ -70,14 +59,8 @@ impl From<ReadingName> for Reading {
     }
 }
 
-impl Reproduce {
+impl Consistency {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
-        match self.target {
-            Target::ConsistencyTable => self.consistency_table(),
-        }
-    }
-
-    fn consistency_table(self) -> Result<Exit, Trouble> {
         let mut readings: Vec<Reading> = self.reading.iter().copied().map(Reading::from).collect();
         if readings.is_empty() {
             readings = vec![Reading::Printed, Reading::Predictive];
