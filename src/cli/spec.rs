@@ -13,7 +13,7 @@ Examples:
   exact-kalman spec                        every paper: how many of its items are done
   exact-kalman spec CKS                    the items of a paper: CKS, HV, AK, SM or WG
   exact-kalman spec CKS-11                 one item: equation, code, tests, erratum
-  exact-kalman spec HV --status open       what is not done
+  exact-kalman spec HV --status checked    what tests check and no code computes
   exact-kalman spec --errata               what the papers misprint, with witnesses
   exact-kalman spec AK --format json       one item on each line, for programs";
 
@@ -41,6 +41,9 @@ impl Spec {
         let all = entries().map_err(damaged)?;
         let chosen = self.select(&all)?;
         let mut out = std::io::stdout().lock();
+        if chosen.is_empty() {
+            eprintln!("there is no such item");
+        }
         let is_overview = self.chosen.is_empty() && self.status.is_none() && !self.errata;
         match self.format {
             Format::Json => {
