@@ -69,9 +69,8 @@ fn every_example_runs() {
             }
             let ran = shell(&line, directory.path());
             // Findings on the textbook filter, and nothing else that is not clean.
-            let findings =
-                line.contains("check") && line.contains("--") && !line.ends_with("check") && !line.contains("--cases")
-                    || line.contains("judge");
+            let findings = line.contains("exact-kalman check ") && line.contains("--") && !line.contains("--cases")
+                || line.contains("exact-kalman judge ");
             assert_eq!(ran.code, i32::from(findings), "{line}: {}{}", ran.stdout, ran.stderr);
             let quiet = line.contains('>') || line.contains("--out");
             assert_eq!(ran.stdout.is_empty(), quiet, "{line}: {}", ran.stdout);
