@@ -62,7 +62,7 @@ impl Spec {
             }
             Format::Text => {
                 for entry in chosen {
-                    writeln!(out, "{:22} {:12} {}", entry.id, entry.status, entry.title)?;
+                    writeln!(out, "{}", line(entry))?;
                 }
             }
         }
@@ -126,6 +126,17 @@ fn overview(out: &mut impl Write, all: &[Entry<'_>]) -> Result<(), Trouble> {
         writeln!(out, "{name:56}{:>6}{counts}{errata:>8}", of_paper.len())?;
     }
     Ok(())
+}
+
+/// An entry on one line: identifier, status, how many tests, title, and the code.
+fn line(entry: &Entry<'_>) -> String {
+    let tests = match entry.tests.len() {
+        0 => String::new(),
+        1 => "1 test".to_owned(),
+        count => format!("{count} tests"),
+    };
+    let code = if entry.code.is_empty() { String::new() } else { format!(" · {}", entry.code.join(", ")) };
+    format!("{:22} {:12} {tests:>8}  {}{code}", entry.id, entry.status, entry.title)
 }
 
 fn whole(out: &mut impl Write, entry: &Entry<'_>) -> Result<(), Trouble> {
