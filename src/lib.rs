@@ -16,15 +16,19 @@
 //! | 2 | [`model`] | state space systems, their realisation along data, and what can be wrong with them |
 //! | 2 | [`trace`] | the named quantities of each step |
 //! | 3 | [`filter`] | the filter by three exact routes, the diffuse start, the d-step predictor |
+//! | 3 | [`riccati`] | the map of Riccati, its filter and its fixed point |
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
+//! | 4 | [`identify`] | systems from data: estimates of A, V, W, the adaptive filter, least squares |
 //! | 4 | [`nongaussian`] | prediction from a start that is not Gaussian |
+//! | 5 | `reproduce` | the papers' tables and figures, simulated again (feature `judge`) |
 //! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |
 //! | 6 | [`spec`] | the specification, and its entries as data |
 //! | 6 | `report` | judgements as text and JSON (feature `cli`) |
 //! | 7 | `cli` | the program `exact-kalman` (feature `cli`) |
 //!
-//! With `default-features = false` the library is floors 0 to 3 without `float` and `protocol`, and the specification. The equations, with
+//! With `default-features = false` the library is floors 0 to 4 without `float` and `protocol`, and the specification.
+//! The equations, with
 //! their sources, their errata and the items that implement them, are in [`spec`].
 //!
 //! # A first example
@@ -60,6 +64,7 @@ pub mod filter;
 #[cfg(feature = "float")]
 pub mod float;
 pub mod gaussian;
+pub mod identify;
 #[cfg(feature = "judge")]
 pub mod judge;
 pub mod matrix;
@@ -69,6 +74,9 @@ pub mod nongaussian;
 pub mod protocol;
 #[cfg(feature = "cli")]
 pub mod report;
+#[cfg(feature = "judge")]
+pub mod reproduce;
+pub mod riccati;
 pub mod scalar;
 pub mod trace;
 

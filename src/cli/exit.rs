@@ -3,7 +3,7 @@
 use std::io;
 use std::process::ExitCode;
 
-use crate::protocol::CaseError;
+use crate::protocol::{CaseError, IdentificationError};
 use crate::report::Report;
 
 /// The exit codes.
@@ -46,6 +46,8 @@ pub(super) enum Trouble {
     TooLarge { place: String, limit: usize },
     #[error("{place}: {source}")]
     Case { place: String, source: CaseError },
+    #[error("{place}: {source}")]
+    Identification { place: String, source: IdentificationError },
     #[error("{place}: {message}")]
     Other { place: String, message: String },
     #[error("cannot write: {0}")]

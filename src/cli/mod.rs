@@ -6,8 +6,10 @@ mod cases;
 mod check;
 mod estimate;
 mod exit;
+mod identify;
 mod input;
 mod judge;
+mod reproduce;
 mod shown;
 mod solve;
 mod spec;
@@ -44,6 +46,8 @@ enum Verb {
     Judge(judge::JudgeAnswers),
     Cases(cases::ListCases),
     Spec(spec::Spec),
+    Identify(identify::Identify),
+    Reproduce(reproduce::Reproduce),
 }
 
 /// How results are printed.
@@ -73,6 +77,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Judge(verb) => verb.run(),
         Verb::Cases(verb) => verb.run(),
         Verb::Spec(verb) => verb.run(),
+        Verb::Identify(verb) => verb.run(),
+        Verb::Reproduce(verb) => verb.run(),
     };
     match outcome {
         Ok(exit) => exit.into(),

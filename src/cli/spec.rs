@@ -13,7 +13,7 @@ Examples:
   exact-kalman spec                        every paper: how many of its items are done
   exact-kalman spec CKS                    the items of a paper: CKS, HV, AK, SM or WG
   exact-kalman spec CKS-11                 one item: equation, code, tests, erratum
-  exact-kalman spec HV --status open       what is not done
+  exact-kalman spec HV --status checked    what tests check and no code computes
   exact-kalman spec --errata               what the papers misprint, with witnesses
   exact-kalman spec AK --format json       one item on each line, for programs";
 
@@ -41,6 +41,9 @@ impl Spec {
         let all = entries().map_err(damaged)?;
         let chosen = self.select(&all)?;
         let mut out = std::io::stdout().lock();
+        if chosen.is_empty() {
+            eprintln!("there is no such item");
+        }
         let is_overview = self.chosen.is_empty() && self.status.is_none() && !self.errata;
         match self.format {
             Format::Json => {
@@ -59,7 +62,7 @@ impl Spec {
             }
             Format::Text => {
                 for entry in chosen {
-                    writeln!(out, "{:22} {:12} {}", entry.id, entry.status, entry.title)?;
+                    writeln!(out, "{}", line(entry))?;
                 }
             }
         }
@@ -125,12 +128,25 @@ fn overview(out: &mut impl Write, all: &[Entry<'_>]) -> Result<(), Trouble> {
     Ok(())
 }
 
+/// An entry on one line: identifier, status, how many tests, title, and the code.
+fn line(entry: &Entry<'_>) -> String {
+    let tests = match entry.tests.len() {
+        0 => String::new(),
+        1 => "1 test".to_owned(),
+        count => format!("{count} tests"),
+    };
+    let code = if entry.code.is_empty() { String::new() } else { format!(" · {}", entry.code.join(", ")) };
+    format!("{:22} {:12} {tests:>8}  {}{code}", entry.id, entry.status, entry.title)
+}
+
 fn whole(out: &mut impl Write, entry: &Entry<'_>) -> Result<(), Trouble> {
     writeln!(out, "{} · {} ({})", entry.id, entry.title, entry.paper.name())?;
     writeln!(out, "\n    {}\n", entry.equation)?;
-    writeln!(out, "{}", entry.status)?;
-    if !entry.text.is_empty() {
-        writeln!(out, "{}", plain(&entry.text))?;
+    // Text that begins in lower case goes on where the status left off.
+    match entry.text.chars().next() {
+        None => writeln!(out, "{}", entry.status)?,
+        Some(first) if first.is_lowercase() => writeln!(out, "{}: {}", entry.status, plain(&entry.text))?,
+        Some(_) => writeln!(out, "{}\n{}", entry.status, plain(&entry.text))?,
     }
     for Erratum { printed, right, witness, consequence } in &entry.errata {
         writeln!(out, "erratum")?;

@@ -13,22 +13,44 @@
 //! filtered: x̂ + K ν,  P − K S Kᵀ           ahead: A x̂ + B u + K₊ ν,  A P Aᵀ + Q − K₊ S K₊ᵀ
 //! ```
 //!
-//! A further form is one file that implements `Recursion`, and its variant in [`Form`].
+//! A further form is one file that implements `Recursion`, and its variant in [`Form`]. [`predict_extended`] is the same
+//! recursion on nonlinear systems.
+//!
+//! Beside the forms stand the parallel sum, the fixed point of the map of Riccati and Stein's equation.
+//! [`Estimator`] and [`AdaptiveFilter`] are the twins of the exact ones in the room `identify`, which they do not know
+//! (AK-2.1, AK-2.2, AK-B.hat, AK-2.3a, AK-2.4).
 
+mod adaptive;
 mod ahead;
 mod error;
+mod estimator;
+mod extended;
+mod fixed_point;
 mod form;
 mod joseph;
+mod matrix_error;
 mod mixture;
 mod moments;
 mod observed;
+mod parallel_sum;
 mod pseudo_inverse;
 mod recursion;
 mod short;
+mod stein;
 mod symmetric;
 mod textbook;
 mod transition;
 
+pub use adaptive::{AdaptiveFilter, Gained};
 pub use error::FloatError;
+pub use estimator::{Estimates, Estimator, NoInverse};
+pub use extended::{
+    AdditiveNoise, ExtendedError, ExtendedObstacle, ExtendedStep, ExtendedSystem, ExtendedTrace, Function,
+    Linearisation, Linearised, predict_extended,
+};
+pub use fixed_point::riccati_fixed_point;
 pub use form::{Form, filter, predict_ahead};
+pub use matrix_error::FloatMatrixError;
 pub use mixture::{MixtureError, MixtureEstimate, MixturePart, estimate_mixture};
+pub use parallel_sum::parallel_sum;
+pub use stein::stein_solution;

@@ -46,7 +46,7 @@ impl Recursion for PseudoInverse {
 ///
 /// S is symmetric, so its singular values are |λ| and S⁺ = V Λ⁺ Vᵀ. `DMatrix::svd` is not used: nalgebra 0.35
 /// loses up to half the digits there, on well-conditioned 3×3 matrices (dimforge/nalgebra#1172).
-fn pseudo_inverse(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Obstacle> {
+pub(super) fn pseudo_inverse(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Obstacle> {
     if !s.iter().all(|entry| entry.is_finite()) {
         return Err(Obstacle::NotFinite);
     }

@@ -1,4 +1,4 @@
-//! Floor 2 · Gaussian laws: affine images, joints, marginals, conditioning.
+//! Floor 2 · Gaussian laws: affine images, joints, marginals, conditioning, expectations of polynomials.
 //!
 //! A vector X is conditionally Gaussian given Y if `E[exp(iλᵀX) | Y] = exp(iλᵀX̂ − ½λᵀPλ)` for every λ
 //! (CKS-2). Given Y, such a law *is* its mean X̂ and its covariance P; both may be anything that is a
@@ -8,8 +8,11 @@
 //! Papers: Chen, Kumar, van Schuppen 1989, section 2.
 
 mod condition;
+mod expectation;
+mod polynomial;
 
 pub use condition::{ConditionError, Conditioned, Inconsistent};
+pub use polynomial::Polynomial;
 
 use crate::matrix::{LdlError, Matrix, Shape};
 use crate::scalar::{Field, OrderedField, Scalar};

@@ -113,6 +113,8 @@ impl<S: OrderedField> Matrix<S> {
 
     /// The Loewner order: whether `other − self` is positive semidefinite.
     ///
+    /// AK-Order: `F ≥ G  ⇔  F − G is positive semidefinite, for symmetric F and G`
+    ///
     /// # Errors
     ///
     /// As for [`Matrix::ldl`] of the difference: a witness v has vᵀ(other − self)v < 0.

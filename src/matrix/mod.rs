@@ -1,8 +1,9 @@
 //! Floor 1 · Dense algebra over any scalar.
 //!
 //! Holds the matrix, its products, fraction-free elimination and what follows from it (solve, inverse,
-//! determinant, rank, kernel, full-rank factorisation, pseudo-inverse), LDLᵀ with witnesses and the
-//! Loewner order. Holds no probability and no model.
+//! determinant, rank, kernel, full-rank factorisation, pseudo-inverse, parallel sum), LDLᵀ with witnesses and the
+//! Loewner order, the characteristic polynomial with what it decides, and Stein's equation. Holds no probability and
+//! no model.
 //!
 //! What may be asked depends on the scalar: products and elimination need a
 //! [`Scalar`] and may answer *undecided*, rank and kernel need a
@@ -13,11 +14,16 @@
 
 mod arithmetic;
 mod blocks;
+mod characteristic_polynomial;
 mod definiteness;
 mod elimination;
 mod fractions;
+mod norm;
+mod parallel_sum;
 mod pseudo_inverse;
 mod solve;
+mod spectral_radius;
+mod stein;
 
 use std::fmt;
 use std::ops::{Index, IndexMut};
@@ -28,6 +34,7 @@ pub use fractions::Fractions;
 pub(crate) use fractions::least_common_multiple;
 pub use pseudo_inverse::{FullRank, PseudoInverseError};
 pub use solve::SolveError;
+pub use stein::SteinNotUnique;
 
 use crate::scalar::Scalar;
 

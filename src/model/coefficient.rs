@@ -35,6 +35,11 @@ impl<'a, S> Past<'a, S> {
         self.0.is_empty()
     }
 
+    /// What was known when there were only `count` observations; the same view if there are no more.
+    pub fn truncated(self, count: usize) -> Self {
+        Self(&self.0[..count.min(self.0.len())])
+    }
+
     /// The entry of sensor `sensor` in y_k; nothing if it is missing or not yet known.
     pub fn entry(self, k: usize, sensor: usize) -> Option<&'a S> {
         self.0.get(k)?.entries().get(sensor)?.as_ref()

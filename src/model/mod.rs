@@ -13,6 +13,7 @@
 mod ahead;
 mod coefficient;
 mod error;
+mod estimation;
 mod initial;
 mod observation;
 mod path;
@@ -23,6 +24,7 @@ mod timing;
 pub use ahead::PathAhead;
 pub use coefficient::{Coefficient, Past};
 pub use error::{Field, ModelError, Place};
+pub use estimation::{Reading, Repair};
 pub use initial::{Before, Initial};
 pub use observation::Observation;
 pub use path::{Path, Step, Transition};

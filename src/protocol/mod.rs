@@ -16,11 +16,13 @@ mod answer_document;
 mod answer_number;
 mod case;
 mod case_error;
+mod datum;
 mod decimal;
 mod document;
 mod entry;
 mod estimate_case;
 mod fault;
+mod identification;
 mod literal;
 mod number;
 mod pretty;
@@ -33,10 +35,15 @@ pub use answer::{Answer, AnswerError, LawAhead, Outcome};
 pub use answer_number::AnswerNumber;
 pub use case::{Case, CaseFormat, Expect, InitialLaw, InputTerm, NoiseLaw};
 pub use case_error::CaseError;
+pub use datum::Datum;
 pub use decimal::Decimal;
 pub use document::MAXIMAL_DOCUMENT_BYTES;
 pub use entry::Entry;
 pub use estimate_case::{EstimateCase, EstimateFormat, LawPart};
+pub use identification::{
+    AdaptiveStart, Identification, IdentificationError, IdentificationFormat, LeastSquares, Moments, RepairName,
+    ResidualsName,
+};
 pub use literal::{MAXIMAL_EXACT_EXPONENT, MAXIMAL_LITERAL_CHARACTERS};
 pub use number::{Number, NumberError, Numbers, shortest_double};
 pub use problem::Problem;

@@ -58,6 +58,9 @@ pub enum Undefined {
     /// The quotient lies outside the ring (7/2 among the integers).
     #[error("the quotient is not an element of the ring")]
     OutsideTheRing,
+    /// It depends on a reading that is missing (coefficients of a system; no arithmetic says so).
+    #[error("it depends on a reading that is missing")]
+    Missing,
 }
 
 /// Values on which the filter's equations can be evaluated.

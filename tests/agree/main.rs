@@ -7,6 +7,7 @@ mod draws;
 mod fraction_free;
 mod gain;
 mod growth;
+mod identify;
 mod measurable;
 mod moments;
 mod nongaussian;

@@ -8,5 +8,7 @@ mod definiteness;
 mod elimination;
 mod gaussian;
 mod minors;
+mod parallel_sum;
 mod pseudo_inverse;
+mod spectral_radius;
 mod worlds;

@@ -4,7 +4,10 @@
 
 mod ahead;
 mod digits;
+mod extended;
+mod identification;
 mod mixture;
+mod steady;
 mod systems;
 mod truth;
 

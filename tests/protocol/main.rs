@@ -6,6 +6,7 @@ mod bad_input;
 mod cases;
 mod decimals;
 mod estimate;
+mod identification;
 mod mutation;
 mod numbers;
 mod page;

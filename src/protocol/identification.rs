@@ -1,0 +1,275 @@
+//! The document of an identification: data, and what is to be estimated from them.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserializer, MapAccess, Visitor};
+use serde::{Deserialize, Serialize};
+
+use super::document::{self, DocumentError, MAXIMAL_DOCUMENT_BYTES, located};
+use super::{Datum, NumberError, Numbers};
+use crate::matrix::Matrix;
+use crate::scalar::Rational;
+
+/// A question of identification; exactly one of the two methods is there.
+///
+/// # Examples
+///
+/// ```
+/// use exact_kalman::protocol::Identification;
+///
+/// let text = r#"{"format": "exact-kalman/identification/1", "numbers": "exact",
+///     "moments": {"readings": [["1"], [2], ["7/2"]]}}"#;
+/// assert!(Identification::parse(text)?.moments.is_some());
+/// # Ok::<(), exact_kalman::protocol::IdentificationError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Identification {
+    /// The format and its version.
+    pub format: IdentificationFormat,
+    /// What the numbers mean.
+    #[serde(default)]
+    pub numbers: Numbers,
+    /// Estimate A, V and W of AK-1.1, AK-1.2.
+    #[serde(default, deserialize_with = "object")]
+    pub moments: Option<Moments>,
+    /// Learn the coefficients of an autoregression with inputs (CKS-ARX).
+    #[serde(default, deserialize_with = "object")]
+    pub least_squares: Option<LeastSquares>,
+}
+
+/// The format of the document, with its version.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum IdentificationFormat {
+    /// The only version so far.
+    #[serde(rename = "exact-kalman/identification/1")]
+    One,
+}
+
+/// The estimators of Anderson et al.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Moments {
+    /// y(1), y(2), …
+    pub readings: Vec<Vec<Datum>>,
+    /// Which estimate of A stands in the residuals (AK-2.2).
+    #[serde(default)]
+    pub residuals: ResidualsName,
+    /// Runs the adaptive filter, too.
+    #[serde(default, deserialize_with = "object")]
+    pub adaptive_filter: Option<AdaptiveStart>,
+}
+
+/// The start of the adaptive filter, after y(2).
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AdaptiveStart {
+    /// x̂(2|2).
+    pub mean: Vec<Datum>,
+    /// P̂(2).
+    pub covariance: Vec<Vec<Datum>>,
+    /// What stands for an estimated covariance that is none.
+    #[serde(default)]
+    pub repair: RepairName,
+}
+
+/// The names of [`Reading`](crate::model::Reading).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum ResidualsName {
+    /// Â(k), as printed.
+    #[default]
+    Printed,
+    /// Â(n) throughout.
+    Last,
+    /// Â(k−1) and Â(k)Â(k−1).
+    Predictive,
+}
+
+/// The names of [`Repair`](crate::model::Repair).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum RepairName {
+    /// As it is.
+    Keep,
+    /// The zero matrix.
+    #[default]
+    Zero,
+    /// The last good one.
+    #[serde(rename = "last semidefinite")]
+    LastSemidefinite,
+}
+
+/// Recursive least squares.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LeastSquares {
+    /// How many earlier outputs are in a regressor.
+    pub output_lags: usize,
+    /// How many earlier inputs are.
+    #[serde(default)]
+    pub input_lags: usize,
+    /// The prior mean of the coefficients.
+    pub mean: Vec<Datum>,
+    /// Their prior covariance.
+    pub covariance: Vec<Vec<Datum>>,
+    /// The variance of the noise.
+    pub noise: Datum,
+    /// y_0, y_1, …
+    pub outputs: Vec<Datum>,
+    /// u_0, u_1, …
+    #[serde(default)]
+    pub inputs: Vec<Datum>,
+    /// y_{−1}, y_{−2}, …; zero where none is given.
+    #[serde(default)]
+    pub earlier_outputs: Vec<Datum>,
+    /// u_{−1}, u_{−2}, …; zero where none is given.
+    #[serde(default)]
+    pub earlier_inputs: Vec<Datum>,
+}
+
+/// Why a text is no identification.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum IdentificationError {
+    /// The text is too long.
+    #[error("the document has {bytes} bytes; at most {MAXIMAL_DOCUMENT_BYTES} are read")]
+    TooLong {
+        /// Its length.
+        bytes: usize,
+    },
+    /// The text is not JSON, or not of the form, or its parts do not fit together.
+    #[error("{}", located(path, message))]
+    Document {
+        /// Where; empty for the document itself.
+        path: String,
+        /// What is wrong.
+        message: String,
+    },
+    /// A number has no value.
+    #[error("{path}: {source}")]
+    Number {
+        /// Where.
+        path: String,
+        /// What is wrong.
+        source: NumberError,
+    },
+}
+
+impl IdentificationError {
+    /// What is wrong at a place.
+    pub fn at(path: impl Into<String>, message: impl Into<String>) -> Self {
+        Self::Document { path: path.into(), message: message.into() }
+    }
+}
+
+impl Identification {
+    /// Reads one document.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentificationError`] with the place; also if there is not exactly one method.
+    pub fn parse(text: &str) -> Result<Self, IdentificationError> {
+        if !text.trim_start().is_empty() && !text.trim_start().starts_with('{') {
+            return Err(IdentificationError::at("", "an object is expected"));
+        }
+        let document: Self = document::parse(text).map_err(|error| match error {
+            DocumentError::TooLong { bytes } => IdentificationError::TooLong { bytes },
+            DocumentError::Wrong { path, message } => IdentificationError::Document { path, message },
+        })?;
+        if document.moments.is_some() == document.least_squares.is_some() {
+            return Err(IdentificationError::at("", "give either `moments` or `least_squares`"));
+        }
+        Ok(document)
+    }
+
+    /// The value of one number.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentificationError::Number`] with this path.
+    pub fn number(&self, path: &str, datum: &Datum) -> Result<Rational, IdentificationError> {
+        datum.value(self.numbers).map_err(|source| IdentificationError::Number { path: path.to_owned(), source })
+    }
+
+    /// The values of a list.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentificationError::Number`] with the place.
+    pub fn list(&self, path: &str, list: &[Datum]) -> Result<Vec<Rational>, IdentificationError> {
+        list.iter().enumerate().map(|(i, datum)| self.number(&format!("{path}[{i}]"), datum)).collect()
+    }
+
+    /// The values of a list of rows.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentificationError::Number`] with the place.
+    pub fn rows(&self, path: &str, rows: &[Vec<Datum>]) -> Result<Vec<Vec<Rational>>, IdentificationError> {
+        rows.iter().enumerate().map(|(i, row)| self.list(&format!("{path}[{i}]"), row)).collect()
+    }
+
+    /// A column of the given length.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentificationError`] with the place.
+    pub fn column(&self, path: &str, list: &[Datum], n: usize) -> Result<Matrix<Rational>, IdentificationError> {
+        if list.len() != n {
+            return Err(IdentificationError::at(path, format!("{} numbers where {n} are needed", list.len())));
+        }
+        Ok(Matrix::column(self.list(path, list)?))
+    }
+
+    /// A covariance of the given order: symmetric and positive semidefinite.
+    ///
+    /// # Errors
+    ///
+    /// [`IdentificationError`] with the place, and a witness if it is indefinite.
+    pub fn covariance(
+        &self,
+        path: &str,
+        rows: &[Vec<Datum>],
+        n: usize,
+    ) -> Result<Matrix<Rational>, IdentificationError> {
+        if rows.len() != n {
+            return Err(IdentificationError::at(path, format!("{} rows where {n} are needed", rows.len())));
+        }
+        if let Some(row) = rows.iter().position(|row| row.len() != n) {
+            let message = format!("{} numbers where {n} are needed", rows[row].len());
+            return Err(IdentificationError::at(format!("{path}[{row}]"), message));
+        }
+        let values = self.rows(path, rows)?;
+        let matrix = Matrix::from_fn(n, n, |i, j| values[i][j].clone());
+        match matrix.ldl() {
+            Ok(_) => Ok(matrix),
+            Err(crate::matrix::LdlError::Indefinite(proof)) => {
+                let proof = super::witness::described(&matrix, &proof);
+                Err(IdentificationError::at(path, format!("not positive semidefinite: {proof}")))
+            }
+            Err(asymmetric) => Err(IdentificationError::at(path, asymmetric.to_string())),
+        }
+    }
+}
+
+/// A field that is an object: a derived reader would take a list of its parts as well.
+fn object<'de, T: Deserialize<'de>, D: Deserializer<'de>>(deserializer: D) -> Result<Option<T>, D::Error> {
+    struct Object<T>(PhantomData<T>);
+
+    impl<'de, T: Deserialize<'de>> Visitor<'de> for Object<T> {
+        type Value = T;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("an object")
+        }
+
+        fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
+            T::deserialize(MapAccessDeserializer::new(map))
+        }
+    }
+
+    deserializer.deserialize_map(Object(PhantomData)).map(Some)
+}
