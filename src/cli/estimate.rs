@@ -25,8 +25,8 @@ Examples:
   exact-kalman estimate examples/estimate/coin.json --price             what the affine one loses
   exact-kalman estimate examples/estimate/slab.json --format json
 
-Every digit is proved: irrational numbers are enclosed until both ends round alike. Exit codes: 0 all
-estimated, 2 the file is refused, with the place and the reason, or other trouble";
+Every digit is proved: irrational numbers are enclosed until both ends round alike. Exit codes:
+0 all estimated, 2 the file is refused, with the place and the reason, or other trouble";
 
 /// Print best and best affine predictions of the next state, for a start that is a mixture of Gaussian laws
 #[derive(clap::Args, Debug)]
