@@ -95,7 +95,7 @@ proptest! {
         }
     }
 
-    /// CKS-ARX: recursion, batch answer and one-shot conditioning agree with `==` at every step, whatever feedback that
+    /// CKS-ARX, CKS-ARX.finite: recursion, batch answer and one-shot conditioning agree with `==` at every step, whatever feedback that
     /// does not look ahead made the inputs.
     #[test]
     fn recursive_least_squares_eq_batch_eq_one_shot(
@@ -300,4 +300,37 @@ fn bad_series_are_refused() {
     assert_eq!(Series::new(rows(&[0, 0, 0])), Err(SeriesError::NoComponent));
     assert_eq!(Series::new(rows(&[2, 2, 1, 3])), Err(SeriesError::Ragged { index: 2, expected: 2, found: 1 }));
     assert!(Series::new(rows(&[2, 2, 2])).is_ok());
+}
+
+/// CKS-ARX, CKS-ARX.sum: two lags of each and a history, the regressors written out by hand; the batch answer is solved
+/// here, and only then compared with the recursion.
+#[test]
+fn regressors_of_two_lags_by_hand() {
+    let integers = |values: &[i64]| values.iter().map(|&value| ratio(value, 1)).collect::<Vec<_>>();
+    // y_{−1} = 5, y_{−2} = 7, u_{−1} = 11, u_{−2} = 13.
+    let history = History { outputs: integers(&[5, 7]), inputs: integers(&[11, 13]) };
+    let (mean, covariance) = (Matrix::column(integers(&[1, -1, 2, 0])), Matrix::diagonal(&integers(&[1, 2, 3, 4])));
+    let regression = Regression {
+        output_lags: 2,
+        input_lags: 2,
+        mean: mean.clone(),
+        covariance: covariance.clone(),
+        noise: ratio(1, 1),
+        history,
+    };
+    let (y, u) = ([2, -3, 4, 1], [17, 19, 23]);
+    // y_{k−1}, y_{k−2}, u_{k−1}, u_{k−2}
+    let phi = Matrix::from_integers(&[[5, 7, 11, 13], [2, 5, 17, 11], [-3, 2, 19, 17], [4, -3, 23, 19]]);
+    let data: Vec<_> = y.iter().map(|&y| Observation::complete([ratio(y, 1)])).collect();
+    let path = regression.recorded(integers(&u)).realised(&data).unwrap_or_else(|error| panic!("{error}"));
+    let trace = filter(&path).unwrap_or_else(|error| panic!("{error}"));
+    let inverse = |matrix: &Q| matrix.inverse().unwrap_or_else(|error| panic!("{error}"));
+    let prior = inverse(&covariance);
+    for (k, record) in trace.records.iter().enumerate() {
+        let rows = phi.block(0..k + 1, 0..4);
+        let known = Matrix::column(integers(&y[..=k]));
+        let posterior = inverse(&(&prior + rows.transpose() * &rows));
+        assert_eq!(record.filtered.mean, &posterior * (&prior * &mean + rows.transpose() * known));
+        assert_eq!(record.filtered.covariance, posterior);
+    }
 }

@@ -4,6 +4,7 @@ mod ahead;
 mod beyond;
 mod diffuse;
 mod draws;
+mod feedback;
 mod fraction_free;
 mod gain;
 mod growth;

@@ -46,7 +46,7 @@ fn expected(draw: &Draw) -> Result<Vec<[Q; 2]>, String> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// CKS-T, CKS-L1: `P = E[(X − X̂)(X − X̂)ᵀ | Y]`
+    /// CKS-T, CKS-L1, CKS-L1.covariance: `P = E[(X − X̂)(X − X̂)ᵀ | Y]`
     #[test]
     fn covariance_eq_expected_squared_error(draw in draws(KIND)) {
         prop_assume!(draw.initial_factor.columns() + draw.d_columns() * draw.sources.len() <= 9);

@@ -97,6 +97,8 @@ fn check(p: &Q, observed: &[usize], innovation: &Q, census: &mut Census) {
     }
 }
 
+/// CKS-L3i, CKS-L3ii: mean and covariance as quotients of minors, K P_yy = P_xy (so nothing is left of P_xy), psd results and
+/// refusals, on all small covariances, singular ones above all.
 #[test]
 fn conditioning_is_regression_on_a_basis_of_what_is_observed() {
     let covariances = covariances();

@@ -44,7 +44,7 @@ fn affine_images_have_the_moments_of_the_lemma() {
     assert_eq!(count, 27 * 81);
 }
 
-/// CKS-2: `exp(iλᵀX̂ − ½ λᵀPλ)`, and under an affine map λᵀ(AX + b) = (Aᵀλ)ᵀX + λᵀb.
+/// CKS-2, CKS-L2.image: `exp(iλᵀX̂ − ½ λᵀPλ)`, and under an affine map λᵀ(AX + b) = (Aᵀλ)ᵀX + λᵀb.
 #[test]
 fn characteristic_exponents_follow_affine_maps() {
     let mut count = 0;
@@ -90,6 +90,25 @@ fn independence_is_a_vanishing_cross_covariance() {
     }
     assert_eq!(counts[0] + counts[1], 729);
     assert!(counts[1] > 100, "{counts:?}");
+}
+
+/// CKS-L2.product: the exponent at (λ, μ) is the sum of those at λ and at μ for all λ and μ iff the cross covariance
+/// vanishes.
+#[test]
+fn exponents_add_iff_the_cross_covariance_vanishes() {
+    for p in symmetric(3, &signs()) {
+        let vanishes = p[(0, 1)] == ratio(0, 1) && p[(0, 2)] == ratio(0, 1);
+        let joint = law(p);
+        let (x, y) = (joint.marginal(&[0]), joint.marginal(&[1, 2]));
+        let adds = |lambda: &Q, mu: &Q| {
+            let both = joint.characteristic_exponent(&lambda.above(mu));
+            let (one, other) = (x.characteristic_exponent(lambda), y.characteristic_exponent(mu));
+            assert_eq!(both.linear, one.linear + other.linear);
+            both.quadratic == one.quadratic + other.quadratic
+        };
+        let one = Matrix::identity(1);
+        assert_eq!(matrices(2, 1, &signs()).all(|mu| adds(&one, &mu)), vanishes);
+    }
 }
 
 /// The joint law of independent vectors, and the standard law.

@@ -28,20 +28,23 @@ fn the_start_is_independent_of_the_noise() {
     assert_eq!(variance(&[(1, 1), (-1, -1)]), ratio(0, 1));
 }
 
-/// Erratum CKS-A4: G(1) = 1/y(1) at y(1) = 0 is refused, while everything on the printed list is finite.
+/// Erratum CKS-A4: C = F = 0 make y(1) = 0 for certain. Everything on the printed list is finite, and the system is accepted;
+/// with G(1) = 1/y(1) it is refused, as y(2) has no value on any path.
 #[test]
 fn the_matrix_of_the_observation_input_must_be_finite() {
-    let one = Matrix::<Rational>::identity(1);
-    let mut system = system(one.clone(), one.clone(), one.clone(), one.clone(), one.clone());
+    let (one, zero) = (Matrix::<Rational>::identity(1), Matrix::zeros(1, 1));
+    let mut system = system(one.clone(), one.clone(), zero.clone(), one.clone(), zero);
+    let certain = readings(&[&[0], &[0]]);
+    for record in records(&system, &certain) {
+        assert_eq!((&record.predicted_observation[(0, 0)], record.innovation_rank), (&ratio(0, 1), 0), "y is certain");
+    }
     let reciprocal = |past: Past<'_, Rational>| match past.last_entry(0) {
         Some(y) => Ok(Matrix::column(vec![ratio(1, 1).over(y)?])),
         None => Ok(Matrix::zeros(1, 1)),
     };
-    assert!(system.realised(&readings(&[&[0], &[1]])).is_ok(), "the printed list");
     system.observation_input = Some(Input { matrix: Some(Coefficient::adapted(reciprocal)), vector: one.into() });
-    assert!(system.realised(&readings(&[&[2], &[1]])).is_ok());
     let place = Place { field: Field::ObservationInputMatrix, step: Some(1) };
-    let error = system.realised(&readings(&[&[0], &[1]]));
+    let error = system.realised(&certain);
     assert_eq!(error, Err(ModelError::Infinite { place, source: Undefined::DivisionByZero }));
 }
 
@@ -75,7 +78,7 @@ fn what_is_inverted_is_conditioned_on_z() {
     assert_eq!(printed, Matrix::zeros(1, 1));
 }
 
-/// Erratum CKS-L3ii: given Z = ±1, W ~ N(0, s) and Y ~ N(Z, 1) are independent, s = 1 or 4; unconditionally they are not:
+/// CKS-L3ii: given Z = ±1, W ~ N(0, s) and Y ~ N(Z, 1) are independent, s = 1 or 4; unconditionally they are not:
 /// E[W²Y] = −3/2, E[W²]E[Y] = 0.
 #[test]
 fn the_residual_is_independent_given_z_only() {

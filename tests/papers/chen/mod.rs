@@ -256,6 +256,8 @@ fn sensors_may_be_mixed_and_repeated() {
                 (&plain.filtered.mean, &plain.filtered.covariance),
                 (&mixed.filtered.mean, &mixed.filtered.covariance)
             );
+            // What the gain makes of the readings is the same, however it is split over repeated sensors.
+            assert_eq!(plain.gain, &mixed.gain * &mixing);
         }
     }
 }
@@ -296,6 +298,29 @@ fn data_of_probability_zero_are_refused() {
         }
         other => panic!("{other:?}"),
     }
+}
+
+/// CKS-L3.function: the conditional law of X has the mean E(X | Z, Y) and the covariance of W = X − E(X|Z) − K(Y − E(Y|Z)), which is
+/// an affine image of (X, Y), has the mean 0, and shares nothing with Y; P_yy is singular.
+#[test]
+fn the_conditional_law_is_that_of_the_residual_moved() {
+    let covariance = integers(&[[3, 1, 1], [1, 2, 2], [1, 2, 2]]);
+    let joint = Gaussian::new(integers(&[[5], [1], [1]]), covariance).unwrap_or_else(|error| panic!("{error}"));
+    let given = joint.conditioned(&[1, 2], &integers(&[[4], [4]])).unwrap_or_else(|error| panic!("{error}"));
+    // P_yy⁺ = [[1, 1], [1, 1]]/8, so K = (1/4, 1/4).
+    let gain = Matrix::column(vec![ratio(1, 4); 2]).transpose();
+    let residual = Matrix::identity(1).beside(&-&gain);
+    let centred = &residual * joint.mean();
+    let with_readings = residual.above(&Matrix::zeros(2, 1).beside(&Matrix::identity(2)));
+    let law = joint.affine(&with_readings, &(-centred).above(&Matrix::zeros(2, 1)));
+    assert!(law.are_independent(&[0], &[1, 2]));
+    assert_eq!(law.marginal(&[0]).mean(), &Matrix::zeros(1, 1));
+    assert_eq!(law.marginal(&[0]).covariance(), given.law.covariance());
+    let lambda = integers(&[[3]]);
+    let moved = law.marginal(&[0]).characteristic_exponent(&lambda);
+    let exponent = given.law.characteristic_exponent(&lambda);
+    // E(X | Y) = 5 + ¼·3 + ¼·3
+    assert_eq!((exponent.linear, exponent.quadratic), (moved.linear + ratio(3 * 13, 2), moved.quadratic));
 }
 
 /// CKS-2: the exponent of the characteristic function holds the mean and the covariance.

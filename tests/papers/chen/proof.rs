@@ -60,13 +60,12 @@ fn start_and_noise_are_jointly_gaussian() {
     assert_eq!((exponent.linear, exponent.quadratic), (ratio(1, 1), ratio(103 + 26, 1)));
 }
 
-/// CKS-T.stack, CKS-10.cross: the law of (x(1), y(1)) is that of the stacked matrices applied to (x(0), w(1)), and it
+/// CKS-T.stack: the law of (x(1), y(1)) is that of the stacked matrices applied to (x(0), w(1)), and it
 /// holds the predictions, R, P_xy and P_yy of the filter.
 #[test]
 fn state_and_observation_are_an_affine_image() {
     let [a, c, d, f, p0] = matrices();
     let stacked = a.beside(&d).above(&(&c * &a).beside(&(&c * &d + &f)));
-    assert!(start().are_independent(&[0, 1], &[2, 3, 4]), "x(0) and w(1) share nothing");
     let pair = start().affine(&stacked, &Matrix::zeros(4, 1));
     let mut system = example();
     system.initial.mean = integers(&[[3], [-1]]);
@@ -78,6 +77,39 @@ fn state_and_observation_are_an_affine_image() {
     assert_eq!(record.predicted.covariance, covariance.select(&states, &states));
     assert_eq!(record.cross_covariance, covariance.select(&states, &sensors));
     assert_eq!(record.innovation_covariance, covariance.select(&sensors, &sensors));
+}
+
+/// CKS-6, CKS-7, CKS-10.cross, CKS-T.step: for t = 0, 1, 2 the joint law of x(t), w(t+1), x(t+1) and y(1), …, y(t+1) as an affine
+/// image of x(0), w(1), …, w(3), conditioned on y(1), …, y(t) alone: x(t) and w(t+1) share nothing, w(t+1) is still N(0, I), and
+/// the covariances of x(t+1) and y(t+1) are those of the filter.
+#[test]
+fn expectations_from_the_law_of_all_sources() {
+    let [a, c, d, f, p0] = matrices();
+    let data = [[1, 2], [3, -4], [0, 6]];
+    let trace = records(&example(), &readings(&data.each_ref().map(<[i64; 2]>::as_slice)));
+    let start = Gaussian::new(Matrix::zeros(2, 1), p0).unwrap_or_else(|error| panic!("{error}"));
+    let sources = start.joined(&Gaussian::standard(9));
+    // Each vector as a matrix applied to the eleven sources.
+    let noise = |t: usize| Matrix::from_fn(3, 11, |i, j| ratio(i64::from(j == 2 + 3 * t + i), 1));
+    let mut state = Matrix::identity(2).beside(&Matrix::zeros(2, 9));
+    let (mut read, mut values) = (Matrix::zeros(0, 11), Matrix::zeros(0, 1));
+    for (t, (record, y)) in trace.iter().zip(data).enumerate() {
+        let next = &a * &state + &d * noise(t);
+        let reading = &c * &next + &f * noise(t);
+        let all = state.above(&noise(t)).above(&next).above(&reading).above(&read);
+        let joint = sources.affine(&all, &Matrix::zeros(all.rows(), 1));
+        let observed: Vec<usize> = (9..9 + read.rows()).collect();
+        let law = joint.conditioned(&observed, &values).unwrap_or_else(|error| panic!("{error}")).law;
+        let (x, w, x_next, y_next) = ([0, 1], [2, 3, 4], [5, 6], [7, 8]);
+        assert!(law.are_independent(&x, &w), "t = {t}");
+        assert_eq!(law.marginal(&w), Gaussian::standard(3));
+        let covariance = law.covariance();
+        assert_eq!(covariance.select(&x_next, &y_next), record.cross_covariance);
+        assert_eq!(covariance.select(&y_next, &y_next), record.innovation_covariance);
+        read = read.above(&reading);
+        values = values.above(&integers(&[y]).transpose());
+        state = next;
+    }
 }
 
 /// CKS-10.cross: with x(0) = w(1), a start that depends on the noise, the term is D AᵀCᵀ and not 0.
