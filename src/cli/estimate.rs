@@ -137,8 +137,10 @@ impl Estimate {
             Enclosed::Between(interval) => interval,
         };
         let (Some(lower), Some(upper)) = (written(interval.lower()), written(interval.upper())) else {
-            let sign = if interval.upper().is_negative() { "-" } else { "" };
-            return Some(format!("{sign}2^{}", interval.upper().magnitude().unwrap_or_default()));
+            // Whatever its digits are, it is closer to zero than the end that is farther away.
+            let (sign, far) =
+                if interval.upper().is_negative() { (">-", interval.lower()) } else { ("<", interval.upper()) };
+            return Some(format!("{sign}2^{}", far.magnitude().unwrap_or_default()));
         };
         let [lower, upper] = [lower, upper].map(|end| Decimal::rounded(&end, self.digits));
         let mark = if self.exact { "…" } else { "" };
@@ -203,7 +205,11 @@ fn price(found: Result<Enclosed, PriceError>) -> String {
         Ok(Enclosed::Between(interval)) => interval,
         Err(error) => return format!("unknown ({error})"),
     };
-    let (lower, upper) = (written(interval.lower()).unwrap_or_default(), written(interval.upper()).unwrap_or_default());
+    let end = |end: &Dyadic| if end.is_zero() { Some(Rational::default()) } else { written(end) };
+    let (Some(lower), Some(upper)) = (end(interval.lower()), end(interval.upper())) else {
+        // It is never negative.
+        return format!("<2^{}", interval.upper().magnitude().unwrap_or_default());
+    };
     let rounded = |digits| [&lower, &upper].map(|end| Decimal::rounded(end, digits));
     let proved = (1..=10).rev().map(rounded).find(|[lower, upper]| lower == upper);
     proved.map_or_else(|| format!("from {lower} to {upper}"), |[digits, _]| digits.to_string())

@@ -53,8 +53,8 @@ pub(super) struct Solve {
     format: Format,
 }
 
-/// The most steps ahead that are printed.
-const MAXIMAL_STEPS_AHEAD: usize = 1000;
+/// The most steps ahead: fractions lengthen with each, and with decimal matrices a hundred take seconds.
+const MAXIMAL_STEPS_AHEAD: usize = 100;
 
 fn ahead(text: &str) -> Result<NonZero<usize>, String> {
     let steps = text.parse().ok().and_then(NonZero::new).filter(|steps| steps.get() <= MAXIMAL_STEPS_AHEAD);

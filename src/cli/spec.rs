@@ -42,7 +42,7 @@ impl Spec {
         let chosen = self.select(&all)?;
         let mut out = std::io::stdout().lock();
         if chosen.is_empty() {
-            eprintln!("there is no such item");
+            eprintln!("none of the items chosen is such a one");
         }
         let is_overview = self.chosen.is_empty() && self.status.is_none() && !self.errata;
         match self.format {
@@ -71,7 +71,7 @@ impl Spec {
 
     /// Whether single items are asked for, not whole papers.
     fn names_items(&self, all: &[Entry<'_>]) -> bool {
-        self.chosen.iter().any(|id| all.iter().any(|entry| entry.id == id))
+        self.chosen.iter().any(|id| all.iter().any(|entry| entry.id.eq_ignore_ascii_case(id)))
     }
 
     fn select<'a, 'b>(&self, all: &'b [Entry<'a>]) -> Result<Vec<&'b Entry<'a>>, Trouble> {
@@ -91,7 +91,7 @@ impl Spec {
 
 /// Whether an entry is meant by an identifier or by the letters of its paper.
 fn is_meant(entry: &Entry<'_>, id: &str) -> bool {
-    entry.id == id || entry.paper.prefix().eq_ignore_ascii_case(id)
+    entry.id.eq_ignore_ascii_case(id) || entry.paper.prefix().eq_ignore_ascii_case(id)
 }
 
 /// What to say about an identifier that does not exist: those that begin alike.
@@ -102,12 +102,14 @@ fn unknown(id: &str, all: &[Entry<'_>]) -> String {
         let own = entry.id.to_lowercase();
         own.starts_with(&folded) || folded.starts_with(&own)
     };
-    let near: Vec<&str> = all.iter().filter(close).map(|entry| entry.id).take(SHOWN).collect();
+    let close: Vec<&str> = all.iter().filter(close).map(|entry| entry.id).collect();
+    let near = &close[..close.len().min(SHOWN)];
     if near.is_empty() {
         let papers = Paper::ALL.map(Paper::prefix).join(", ");
         return format!("no item has this identifier; `exact-kalman spec PAPER` lists those of {papers}");
     }
-    format!("no item has this identifier; there are {}", near.join(", "))
+    let more = if close.len() > SHOWN { ", …" } else { "" };
+    format!("no item has this identifier; there are {}{more}", near.join(", "))
 }
 
 fn other(place: &str, message: String) -> Trouble {

@@ -37,12 +37,17 @@ impl<const P: usize> AdaptiveFilter<P> {
     ///
     /// Nothing, and no change, where Â(k) has no inverse under [`Repair::Keep`], or a result is not finite.
     pub fn observe(&mut self, estimates: &Estimates<P>, y: SVector<f64, P>) -> Option<Gained<P>> {
+        let last = self.last;
         let [v, w] = match estimates.noise() {
             Some((v, w)) => [self.repaired(0, Some(v)), self.repaired(1, Some(w))],
             None if self.repair == Repair::Keep => return None,
             None => [self.repaired(0, None), self.repaired(1, None)],
         };
-        self.advance(estimates.transition, v, w, y)
+        let gained = self.advance(estimates.transition, v, w, y);
+        if gained.is_none() {
+            self.last = last;
+        }
+        gained
     }
 
     /// One step with any matrices for A, V and W.
@@ -56,8 +61,11 @@ impl<const P: usize> AdaptiveFilter<P> {
         let s = a * self.covariance * a.transpose() + v;
         let gain = quotient(s, s + w)?;
         let rest = SMatrix::<f64, P, P>::identity() - gain;
-        self.mean = rest * (a * self.mean) + gain * y;
-        self.covariance = rest * s;
+        let (mean, covariance) = (rest * (a * self.mean) + gain * y, rest * s);
+        if !mean.iter().chain(&covariance).all(|entry| entry.is_finite()) {
+            return None;
+        }
+        (self.mean, self.covariance) = (mean, covariance);
         Some(Gained { predicted_covariance: s, gain })
     }
 

@@ -50,6 +50,10 @@ pub(super) fn pseudo_inverse(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Obstacle>
     if !s.iter().all(|entry| entry.is_finite()) {
         return Err(Obstacle::NotFinite);
     }
+    // nalgebra panics at the spectrum of nothing.
+    if s.is_empty() {
+        return Ok(s.clone());
+    }
     let eigen = s.clone().try_symmetric_eigen(f64::EPSILON, ITERATIONS).ok_or(Obstacle::Unconverged)?;
     let largest = eigen.eigenvalues.amax();
     #[expect(clippy::cast_precision_loss, reason = "no matrix has 2^53 rows")]

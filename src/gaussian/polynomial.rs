@@ -91,13 +91,16 @@ impl<S: Field> Polynomial<S> {
     ///
     /// # Panics
     ///
-    /// If the numbers of variables differ.
+    /// If the numbers of variables differ, or an exponent exceeds [`u32::MAX`].
     pub fn times(&self, other: &Self) -> Self {
         self.assert_compatible(other);
         let mut product = Self::zero(self.variables);
         for (left, a) in &self.terms {
             for (right, b) in &other.terms {
-                let exponents = left.iter().zip(right).map(|(e, f)| e + f).collect();
+                let sum = |(e, f): (&u32, &u32)| {
+                    e.checked_add(*f).unwrap_or_else(|| panic!("an exponent beyond {}", u32::MAX))
+                };
+                let exponents = left.iter().zip(right).map(sum).collect();
                 product.add(a.times(b), exponents);
             }
         }

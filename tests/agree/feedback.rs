@@ -16,7 +16,7 @@ fn number(value: Rational) -> Q {
     Matrix::column(vec![value])
 }
 
-fn row(entries: [Rational; 2]) -> Q {
+fn row(entries: &[Rational; 2]) -> Q {
     Matrix::column(entries.to_vec()).transpose()
 }
 
@@ -41,8 +41,8 @@ fn system(slope: i64) -> System<Rational> {
         transition: Coefficient::adapted(move |past| following(past, |slope, y| number(growth(slope, y)))),
         observation: number(ratio(1, 1)).into(),
         noise: Noise::Factors {
-            process: Coefficient::adapted(move |past| following(past, |_, y| row([disturbance(y), ratio(0, 1)]))),
-            observation: Coefficient::per_step([row([ratio(0, 1), ratio(1, 1)]), row([ratio(1, 1), ratio(1, 1)])]),
+            process: Coefficient::adapted(move |past| following(past, |_, y| row(&[disturbance(y), ratio(0, 1)]))),
+            observation: Coefficient::per_step([row(&[ratio(0, 1), ratio(1, 1)]), row(&[ratio(1, 1), ratio(1, 1)])]),
         },
         input: None,
         observation_input: None,
