@@ -82,7 +82,7 @@ pub struct SingularPrior;
 impl<S: Field + Send + Sync> Regression<S> {
     /// The system whose filter is recursive least squares; `law` tells u_k from y_0, …, y_k.
     ///
-    /// The law is shown the past up to y_k only, so feedback cannot look ahead. Inputs that were recorded are a law
+    /// The law is shown the past up to y_k only, with step k, so feedback cannot look ahead. Inputs that were recorded are a law
     /// as well: see [`Regression::recorded`].
     pub fn system(&self, law: impl Fn(Past<'_, S>) -> Result<S, Undefined> + Send + Sync + 'static) -> System<S> {
         let count = self.output_lags + self.input_lags;
@@ -90,8 +90,8 @@ impl<S: Field + Send + Sync> Regression<S> {
         let law = Arc::new(law);
         let row = move |past: Past<'_, S>| {
             let output = |k: usize| past.entry(k, 0).cloned().ok_or(Undefined::Missing);
-            let input = |k: usize| law(past.truncated(k + 1));
-            regression.regressor(past.len(), output, input)
+            let input = |k: usize| law(past.truncated(k + 1).at(k));
+            regression.regressor(past.step(), output, input)
         };
         System {
             timing: Timing::Arriving,
@@ -110,10 +110,7 @@ impl<S: Field + Send + Sync> Regression<S> {
 
     /// The same system for inputs u_0, u_1, … that were recorded; those that a regressor needs must be there.
     pub fn recorded(&self, inputs: Vec<S>) -> System<S> {
-        self.system(move |past| match past.len().checked_sub(1).and_then(|k| inputs.get(k)) {
-            Some(input) => Ok(input.clone()),
-            None => Err(Undefined::Missing),
-        })
+        self.system(move |past| inputs.get(past.step()).cloned().ok_or(Undefined::Missing))
     }
 
     /// φᵀ of y_k, 1×(p+q).

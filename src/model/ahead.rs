@@ -2,7 +2,7 @@
 
 use std::num::NonZero;
 
-use super::realise::{Reach, Realisation};
+use super::realise::Realisation;
 use super::{ModelError, Observation, Path, System, Timing, Transition};
 use crate::scalar::OrderedField;
 
@@ -64,10 +64,11 @@ impl<S: OrderedField> System<S> {
     ///
     /// A weaker condition suffices, and is kept by construction: the rule of an adapted coefficient of the transition
     /// into x_s is shown y_0, …, y_{s−d} (nothing for s < d), that of an observation coefficient with index k is shown
-    /// y_0, …, y_{k−1}. So are the inputs (HV-C2), and the first steps (HV-C5-start). For d = 1 these are the conditions of [`System::realised`].
+    /// y_0, …, y_{k−1}. A rule learns its k from [`Past::step`](super::Past::step). So are the inputs (HV-C2), and the first steps (HV-C5-start). For d = 1 these are the conditions of [`System::realised`].
     ///
-    /// Lists of A, B, u, D or Q may go on beyond the last observation, by d − 1 entries in departing timing and by d in
-    /// arriving timing; where they end, prediction ends. Values in lists are taken as known in time.
+    /// Lists of A, B, u, D or Q may go on beyond the last observation; where they end, prediction ends. Used are d − 1
+    /// further entries in departing timing and d in arriving timing; what lies beyond these is not looked at. Values in
+    /// lists are taken as known in time.
     ///
     /// # Errors
     ///
@@ -111,7 +112,7 @@ impl<S: OrderedField> System<S> {
             Timing::Arriving => ahead,
             Timing::Departing => ahead - 1,
         };
-        let realisation = Realisation::of(self, observations, Reach { ahead, beyond })?;
+        let realisation = Realisation::of(self, observations, ahead)?;
         let path = realisation.path()?;
         // Without the transition that departs from the last observation none of those that follow can be reached.
         let reached = path.timing() == Timing::Arriving || path.steps().last().is_some_and(|s| s.transition.is_some());

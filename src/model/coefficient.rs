@@ -9,7 +9,10 @@ use crate::scalar::Undefined;
 
 /// The observations y_0, …, y_last that a coefficient may depend on; the future is not in it.
 #[derive(Debug)]
-pub struct Past<'a, S>(&'a [Observation<S>]);
+pub struct Past<'a, S> {
+    step: usize,
+    known: &'a [Observation<S>],
+}
 
 // Not derived: a shared view is copied whatever its entries are.
 impl<S> Clone for Past<'_, S> {
@@ -21,38 +24,48 @@ impl<S> Clone for Past<'_, S> {
 impl<S> Copy for Past<'_, S> {}
 
 impl<'a, S> Past<'a, S> {
-    pub(super) fn new(observations: &'a [Observation<S>]) -> Self {
-        Self(observations)
+    pub(super) fn new(step: usize, known: &'a [Observation<S>]) -> Self {
+        Self { step, known }
     }
 
-    /// How many observations are known.
+    /// The index k of the coefficient that is asked for.
+    pub fn step(self) -> usize {
+        self.step
+    }
+
+    /// How many observations are known, which is not k: it depends on the timing and on how far ahead one predicts.
     pub fn len(self) -> usize {
-        self.0.len()
+        self.known.len()
     }
 
     /// Whether none is.
     pub fn is_empty(self) -> bool {
-        self.0.is_empty()
+        self.known.is_empty()
     }
 
     /// What was known when there were only `count` observations; the same view if there are no more.
     pub fn truncated(self, count: usize) -> Self {
-        Self(&self.0[..count.min(self.0.len())])
+        Self { known: &self.known[..count.min(self.known.len())], ..self }
+    }
+
+    /// The same observations, for a coefficient with another index.
+    pub(crate) fn at(self, step: usize) -> Self {
+        Self { step, ..self }
     }
 
     /// The entry of sensor `sensor` in y_k; nothing if it is missing or not yet known.
     pub fn entry(self, k: usize, sensor: usize) -> Option<&'a S> {
-        self.0.get(k)?.entries().get(sensor)?.as_ref()
+        self.known.get(k)?.entries().get(sensor)?.as_ref()
     }
 
     /// The last known observation.
     pub fn last(self) -> Option<&'a Observation<S>> {
-        self.0.last()
+        self.known.last()
     }
 
     /// The entry of sensor `sensor` in the last known observation.
     pub fn last_entry(self, sensor: usize) -> Option<&'a S> {
-        self.entry(self.0.len().checked_sub(1)?, sensor)
+        self.entry(self.known.len().checked_sub(1)?, sensor)
     }
 }
 

@@ -93,15 +93,15 @@ pub enum ModelError<S> {
     /// A list of one matrix per step has another length than the list of observations.
     #[error(
         "{field} lists {found} steps where there are {expected} observations: give one entry per observation{}",
-        and_beyond(*beyond)
+        if *may_go_on { ", or more for what follows" } else { "" }
     )]
     Length {
         /// Which list.
         field: Field,
         /// The number of observations.
         expected: usize,
-        /// How many entries it may have beyond them.
-        beyond: usize,
+        /// Whether it may go on beyond them: it is a list of transitions.
+        may_go_on: bool,
         /// The length found.
         found: usize,
     },
@@ -154,8 +154,4 @@ pub enum ModelError<S> {
          observation; predict it once, or use arriving timing"
     )]
     NoTransitionBefore,
-}
-
-fn and_beyond(beyond: usize) -> String {
-    if beyond == 0 { String::new() } else { format!(", and at most {beyond} beyond the last") }
 }

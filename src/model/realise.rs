@@ -18,7 +18,7 @@ impl<S: OrderedField> System<S> {
     ///
     /// [`ModelError`] with the place, and a vector v with vᵀPv < 0 where a covariance is indefinite.
     pub fn realised(&self, observations: &[Observation<S>]) -> Result<Path<S>, ModelError<S>> {
-        Realisation::of(self, observations, Reach::FILTER)?.path()
+        Realisation::of(self, observations, 1)?.path()
     }
 }
 
@@ -28,33 +28,20 @@ type TransitionWithNoise<S> = (Option<Transition<S>>, Matrix<S>);
 /// The blocks Q, DFᵀ and R of the joint noise covariance.
 type JointNoise<S> = (Matrix<S>, Matrix<S>, Matrix<S>);
 
-/// How far a realisation looks.
-#[derive(Clone, Copy)]
-pub(super) struct Reach {
-    /// d: the transition into x_s is shown y_0, …, y_{s−d}.
-    pub(super) ahead: usize,
-    /// How many entries a list of transitions may have beyond the last observation.
-    pub(super) beyond: usize,
-}
-
-impl Reach {
-    /// What filtering needs.
-    const FILTER: Self = Self { ahead: 1, beyond: 0 };
-}
-
 pub(super) struct Realisation<'a, S> {
     system: &'a System<S>,
     observations: &'a [Observation<S>],
     states: usize,
     sensors: usize,
-    reach: Reach,
+    /// d: the transition into x_s is shown y_0, …, y_{s−d}.
+    ahead: usize,
 }
 
 impl<'a, S: OrderedField> Realisation<'a, S> {
     pub(super) fn of(
         system: &'a System<S>,
         observations: &'a [Observation<S>],
-        reach: Reach,
+        ahead: usize,
     ) -> Result<Self, ModelError<S>> {
         let states = system.initial.mean.rows();
         let sensors = observations.first().map_or(0, Observation::dimension);
@@ -67,7 +54,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         if system.timing == Timing::Departing && system.initial.before == Before::Transition {
             return Err(ModelError::NoTransitionBefore);
         }
-        let realisation = Self { system, observations, states, sensors, reach };
+        let realisation = Self { system, observations, states, sensors, ahead };
         for (k, observation) in observations.iter().enumerate() {
             let found = Shape { rows: observation.dimension(), columns: 1 };
             realisation.check_shape(Field::Observations, Some(k), found, (sensors, 1))?;
@@ -90,11 +77,11 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
                 field,
                 Field::Transition | Field::ProcessFactor | Field::ProcessNoise | Field::InputMatrix | Field::Input
             );
-            let beyond = if moves { self.reach.beyond } else { 0 };
+            // What lies beyond the reach of a predictor is not evaluated.
             if let Coefficient::PerStep(values) = coefficient
-                && !(expected..=expected.saturating_add(beyond)).contains(&values.len())
+                && (values.len() < expected || !moves && values.len() > expected)
             {
-                return Err(ModelError::Length { field, expected, beyond, found: values.len() });
+                return Err(ModelError::Length { field, expected, may_go_on: moves, found: values.len() });
             }
         }
         Ok(())
@@ -198,7 +185,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
     }
 
     fn past_of_observation(&self, k: usize) -> Past<'a, S> {
-        Past::new(&self.observations[..k])
+        Past::new(k, &self.observations[..k])
     }
 
     /// What the transition with index k is shown: y_0, …, y_{s−d} if it leads into x_s.
@@ -207,7 +194,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
             Timing::Arriving => k,
             Timing::Departing => k + 1,
         };
-        Past::new(&self.observations[..(state + 1).saturating_sub(self.reach.ahead)])
+        Past::new(k, &self.observations[..(state + 1).saturating_sub(self.ahead)])
     }
 
     fn input(

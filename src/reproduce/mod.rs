@@ -3,7 +3,8 @@
 //! Holds the systems that the papers simulate, with named streams of noise, and what comes of them as data and as text.
 //! A stream has a name and a seed, and nothing else decides what comes out: the same name and seed give the same
 //! table, to the last byte, on every machine. Whether a printed number fits is asked of the *distribution* of the
-//! number over many repetitions of the published experiment, never of one repetition. Holds no filter of its own.
+//! number over many repetitions of the published experiment, never of one repetition. Holds no filter of its own: of
+//! the reactor, predictions of more than one step go on from the filter by HV-6 and HV-7.
 //!
 //! Papers: Anderson, Kleindorfer, Kleindorfer, Woodroofe 1969, section 6; Hilgert, Vila 1999, section 3.
 

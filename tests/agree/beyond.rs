@@ -41,11 +41,22 @@ fn prediction_ends_with_the_lists() {
         }
         let beyond = if timing == Timing::Departing { 2 } else { 3 };
         assert!(listed(timing, 2 + beyond).realised_ahead(&data, steps(3)).is_ok());
-        for found in [1, 3 + beyond] {
-            let error = listed(timing, found).realised_ahead(&data, steps(3)).expect_err("too few or too many");
-            assert_eq!(error, ModelError::Length { field: Field::Transition, expected: 2, beyond, found });
-        }
-        assert!(listed(timing, 3).realised(&data).is_err(), "a filter needs none beyond");
+        let error = listed(timing, 1).realised_ahead(&data, steps(3)).expect_err("too few");
+        assert_eq!(error, ModelError::Length { field: Field::Transition, expected: 2, may_go_on: true, found: 1 });
+        // What lies beyond the reach is not evaluated: a longer list changes nothing, even if its shape is wrong.
+        let mut longer = listed(timing, 2 + beyond);
+        let Coefficient::PerStep(values) = &mut longer.transition else { panic!("a list") };
+        values.push(Some(Matrix::zeros(2, 3)));
+        let reached = listed(timing, 2 + beyond).realised_ahead(&data, steps(3)).unwrap();
+        assert_eq!(longer.realised_ahead(&data, steps(3)).unwrap(), reached);
+        assert_eq!(
+            longer.realised(&data).unwrap(),
+            *listed(timing, 2 + beyond).realised_ahead(&data, steps(1)).unwrap().path()
+        );
+        let mut observed = listed(timing, 2);
+        observed.observation = Coefficient::per_step([(); 3].map(|()| Matrix::identity(1)));
+        let error = observed.realised_ahead(&data, steps(3)).expect_err("no reading");
+        assert_eq!(error, ModelError::Length { field: Field::Observation, expected: 2, may_go_on: false, found: 3 });
     }
     // Without the transition that departs from the last reading those after it are of no use.
     let mut broken = listed(Timing::Departing, 4);

@@ -76,4 +76,7 @@ fn figures_are_columns() {
         assert_ne!(text, run(&["reproduce", figure, "--seed", "1"]).quietly(0));
     }
     assert_eq!(run(&["reproduce", "HV-Fig1", "--beta", "nan"]).code, 2);
+    let negative = run(&["reproduce", "HV-Fig1", "--beta", "-1"]);
+    assert_eq!(negative.code, 2);
+    assert!(negative.stderr.contains("a number, at least 0"), "{}", negative.stderr);
 }

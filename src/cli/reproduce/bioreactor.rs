@@ -99,7 +99,7 @@ struct Run {
     #[command(flatten)]
     start: Start,
     /// The exponent β of the growth law, at least 0.
-    #[arg(long, default_value_t = 0.5, value_parser = exponent)]
+    #[arg(long, default_value_t = 0.5, value_parser = exponent, allow_negative_numbers = true)]
     beta: f64,
 }
 
@@ -133,7 +133,8 @@ impl Start {
                  --start repaired is a start, and --allow-indefinite runs this one all the same",
                 proof.witness, proof.value
             ),
-            other => other.to_string(),
+            // No choice of the start is to blame.
+            other => return Trouble::Other { place: "the reactor".to_owned(), message: other.to_string() },
         };
         Trouble::Other { place: format!("--start {}", self.preset), message }
     }

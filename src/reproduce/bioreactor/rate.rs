@@ -69,7 +69,7 @@ impl<T: Concentration> Reactor<T> {
     ///
     /// # Errors
     ///
-    /// [`Unphysical`] for a negative substrate, and where γ + x^β = 0.
+    /// [`Unphysical`] for a negative substrate, where γ + x^β = 0, and where rate or derivative is not finite.
     pub fn growth_rate(&self, substrate: &T) -> Result<T, Unphysical> {
         let [rate, _] = self.growth(substrate)?;
         Ok(rate)
@@ -107,7 +107,18 @@ impl<T: Concentration> Reactor<T> {
             return Err(Unphysical::NoGrowthRate { substrate: substrate.double() });
         }
         let rate = alpha.clone() * substrate.clone() / divisor.clone();
-        let above = gamma.clone() + (T::one() - beta.clone()) * power.clone();
-        Ok([rate, alpha.clone() * above / (divisor.clone() * divisor)])
+        let is_finite = |value: &T| (value.clone() - value.clone()).is_zero();
+        let slope = if is_finite(power) {
+            // Neither the square of the divisor nor βx^β need be finite.
+            let shares =
+                gamma.clone() / divisor.clone() + (T::one() - beta.clone()) * (power.clone() / divisor.clone());
+            alpha.clone() / divisor * shares
+        } else {
+            T::zero()
+        };
+        if !is_finite(&rate) || !is_finite(&slope) {
+            return Err(Unphysical::NoGrowthRate { substrate: substrate.double() });
+        }
+        Ok([rate, slope])
     }
 }

@@ -14,8 +14,10 @@ use crate::trace::{Moments, Quantity};
 ///
 /// HV-SKP2: `x̂_SKP2(k) = E(x(k) | y(0), …, y(k−2)) = x̂(k|k−2)`
 ///
-/// The one-step predictor, and then HV-6 and HV-7 from there. The transitions used must be known in time: that their
-/// delay is at least d − 1 is for the caller to see to.
+/// The one-step predictor, and then HV-6 and HV-7 from there. A path does not tell when its
+/// transitions were known: the caller answers for a delay of at least d − 1. The type that does is
+/// [`PathAhead`](crate::model::PathAhead), by [`System::realised_ahead`](crate::model::System::realised_ahead); on it
+/// [`predict_ahead`](crate::filter::predict_ahead) gives the same laws.
 ///
 /// # Errors
 ///

@@ -44,11 +44,9 @@ pub fn system(setting: &Setting<Rational>, start: &Belief<Rational>) -> System<R
     let rule = |matrix: fn(&Setting<Rational>, &Coefficients<Rational>) -> Matrix<Rational>| {
         let setting = Arc::clone(&setting);
         Coefficient::adapted(move |past: Past<'_, Rational>| {
-            // A transition with index k is shown y_0, …, y_k.
-            let k = past.len().checked_sub(1).ok_or(Undefined::Undecided)?;
-            match setting.coefficients(k, |j| past.entry(j, 0).cloned()) {
+            match setting.coefficients(past.step(), |j| past.entry(j, 0).cloned()) {
                 Ok(Some(rates)) => Ok(matrix(&setting, &rates)),
-                Ok(None) => Err(Undefined::Undecided),
+                Ok(None) => Err(Undefined::Missing),
                 Err(_) => Err(Undefined::OutsideTheRing),
             }
         })

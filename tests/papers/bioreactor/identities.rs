@@ -216,3 +216,15 @@ fn coefficients_in_doubles() {
         }
     }
 }
+
+/// HV-mu: for β ≥ 200 neither rate nor derivative overflows: both tend to zero as x^β grows, and no NaN comes out.
+#[test]
+fn large_exponents_do_not_overflow() {
+    for beta in [150.0, 200.0, 250.0, 1e6] {
+        let mut reactor = Setting::printed(Exponent::Natural(1), 1).doubles().reactor;
+        reactor.exponent = Exponent::Real(beta);
+        let [rate, slope] = [reactor.growth_rate(&30.0).unwrap(), reactor.growth_slope(&30.0).unwrap()];
+        assert!((0.0..1e-200).contains(&rate) && (-1e-200..=0.0).contains(&slope), "{beta}: {rate}, {slope}");
+        assert!(reactor.growth_rate(&f64::INFINITY).is_err() && reactor.growth_slope(&f64::NAN).is_err());
+    }
+}

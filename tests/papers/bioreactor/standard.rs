@@ -1,13 +1,15 @@
 //! The standard predictor: a recursion in scalars, the joint law, and doubles.
 
-use exact_kalman::filter::one_shot;
+use std::num::NonZero;
+
+use exact_kalman::filter::{one_shot, predict_ahead};
 use exact_kalman::matrix::Matrix;
-use exact_kalman::model::{Before, Coefficient, Initial, Input, Noise, Observation, Path, System, Timing};
+use exact_kalman::model::{Before, Coefficient, Initial, Input, ModelError, Noise, Observation, Path, System, Timing};
 use exact_kalman::reproduce::bioreactor::{
     Belief, Concentration, Exponent, Preset, Setting, path_in_doubles, realised, standard_predictions,
-    standard_predictions_exact,
+    standard_predictions_exact, system,
 };
-use exact_kalman::scalar::{Rational, exact_value, ratio};
+use exact_kalman::scalar::{Rational, Undefined, exact_value, ratio};
 
 use super::{NATURAL, readings};
 
@@ -99,6 +101,34 @@ fn steps_ahead_by_the_joint_law() {
             assert_eq!(&law.covariance, joint[k].filtered.covariance());
         }
     }
+}
+
+/// HV-u2, HV-mu2, HV-SKP2: the system with delay 2 is realised 2 steps ahead, since each transition knows its index though it is
+/// shown fewer readings; that with delay 1 one and two steps ahead. The predictor finds the laws of the joint test above.
+#[test]
+fn the_reactor_is_known_in_time() {
+    for (delay, ahead) in [(2, 2), (1, 1), (1, 2), (2, 1), (2, 3)] {
+        let setting = Setting::printed(Exponent::Natural(1), delay);
+        let start = Preset::Repaired.start(delay).standard;
+        let y = readings(&setting, 5);
+        let data: Vec<_> = y.iter().map(|y| Observation::complete([y.clone()])).collect();
+        let steps_ahead = NonZero::new(ahead).expect("not zero");
+        let path = system(&setting, &start).realised_ahead(&data, steps_ahead).expect("known in time");
+        let trace = predict_ahead(&path).expect("regular");
+        let late = trace.steps.iter().map(|step| &step.ahead[ahead - 1]);
+        let found: Vec<_> = trace.start.iter().chain(late).take(5).cloned().collect();
+        let realised = realised(&setting, &start, false, &y).expect("a valid system");
+        assert_eq!(
+            found,
+            standard_predictions_exact(&realised, ahead).expect("regular"),
+            "delay {delay}, {ahead} ahead"
+        );
+    }
+    // A delay of one is not known three steps ahead, and what is missing is said.
+    let setting = Setting::printed(Exponent::Natural(1), 1);
+    let data: Vec<_> = readings(&setting, 5).into_iter().map(|y| Observation::complete([y])).collect();
+    let error = system(&setting, &Preset::Repaired.start(1).standard).realised_ahead(&data, NonZero::new(3).unwrap());
+    assert!(matches!(error, Err(ModelError::Infinite { source: Undefined::Missing, .. })), "{error:?}");
 }
 
 /// The data of a path, each nonzero one moved by a relative 2⁻⁵³ either way.
