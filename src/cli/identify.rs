@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use serde_json::{Map, Value};
 
 use super::Format;
+use super::effort::Effort;
 use super::exit::{Exit, Trouble};
 use super::input;
 use crate::filter::filter;
@@ -24,7 +25,9 @@ Examples:
   exact-kalman identify examples/identify/least-squares.json            coefficients, step by step
   exact-kalman identify examples/identify/adaptive.json --format json   with the adaptive filter
 
-The input is described in docs/IDENTIFY.md. Exit codes: 0 all answered, 2 trouble with the input";
+The input is described in docs/IDENTIFY.md. Where the data contradict the model, or the adaptive filter
+stops, the steps before are printed all the same. Exit codes: 0 all answered, 1 stopped before the last
+reading, 2 trouble with the input";
 
 /// Estimate a system from data, exactly
 #[derive(clap::Args, Debug)]
@@ -46,15 +49,29 @@ pub(super) struct Identify {
     format: Format,
 }
 
-/// The largest work that is begun, some seconds (in release mode): fractions lengthen with every reading.
-const MAXIMAL_ORDER: usize = 4;
-const MAXIMAL_LAGS: usize = 32;
-
-/// A step: its title, and its values by name.
-struct Step {
-    title: String,
-    values: Vec<(&'static str, Matrix<Rational>)>,
+/// What a step is after.
+enum Place {
+    /// So many readings.
+    Count(usize),
+    /// This output, counted from 0.
+    Output(usize),
 }
+
+/// A step: its values by name, and which of them another matrix stands for.
+struct Step {
+    place: Place,
+    values: Vec<(&'static str, Matrix<Rational>)>,
+    repaired: Vec<(&'static str, bool)>,
+}
+
+/// The steps, and why there is no further one.
+struct Steps {
+    steps: Vec<Step>,
+    stopped: Option<String>,
+}
+
+/// The values that are lists in JSON.
+const COLUMNS: [&str; 3] = ["mean", "filtered mean", "kernel of the transition"];
 
 impl Identify {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
@@ -65,9 +82,9 @@ impl Identify {
         let steps = match (&document.moments, &document.least_squares) {
             (Some(moments), _) => moments_steps(&document, moments),
             (None, Some(least_squares)) => least_squares_steps(&document, least_squares),
-            (None, None) => Ok(Vec::new()),
+            (None, None) => Ok(Steps { steps: Vec::new(), stopped: None }),
         };
-        let mut steps = steps.map_err(refused)?;
+        let Steps { mut steps, stopped } = steps.map_err(refused)?;
         if self.last {
             steps.drain(..steps.len().saturating_sub(1));
         }
@@ -75,15 +92,24 @@ impl Identify {
         match self.format {
             Format::Text => {
                 for step in &steps {
-                    writeln!(out, "{}", step.title)?;
+                    match step.place {
+                        Place::Count(n) => writeln!(out, "{n} readings")?,
+                        Place::Output(k) => writeln!(out, "output {k}")?,
+                    }
                     for (name, matrix) in &step.values {
                         writeln!(out, "  {name:24} {}", self.text(matrix))?;
                     }
                 }
             }
-            Format::Json => writeln!(out, "{}", self.json(&steps))?,
+            Format::Json => writeln!(out, "{}", self.json(&steps, stopped.as_deref()))?,
         }
-        Ok(Exit::Clean)
+        match stopped {
+            None => Ok(Exit::Clean),
+            Some(reason) => {
+                eprintln!("{place}: {reason}");
+                Ok(Exit::Findings)
+            }
+        }
     }
 
     fn number(&self, value: &Rational) -> String {
@@ -100,27 +126,37 @@ impl Identify {
         }
     }
 
-    fn json(&self, steps: &[Step]) -> Value {
-        let row = |matrix: &Matrix<Rational>, i: usize| -> Value {
-            matrix.row(i).iter().map(|entry| Value::from(self.number(entry))).collect()
+    fn json(&self, steps: &[Step], stopped: Option<&str>) -> Value {
+        let list = |entries: &[Rational]| -> Value {
+            entries.iter().map(|entry| Value::from(self.number(entry))).collect()
         };
+        let key = |name: &str| name.replace([' ', '-'], "_");
         let step = |step: &Step| {
-            let mut object = Map::from_iter([("step".to_owned(), Value::from(step.title.clone()))]);
+            let mut object = Map::new();
+            match step.place {
+                Place::Count(n) => object.insert("count".to_owned(), n.into()),
+                Place::Output(k) => object.insert("output".to_owned(), k.into()),
+            };
             for (name, matrix) in &step.values {
-                let rows: Value = (0..matrix.rows()).map(|i| row(matrix, i)).collect();
-                object.insert(name.replace([' ', '-'], "_"), rows);
+                let value = if COLUMNS.contains(name) {
+                    list(matrix.entries())
+                } else {
+                    (0..matrix.rows()).map(|i| list(matrix.row(i))).collect()
+                };
+                object.insert(key(name), value);
             }
+            object.extend(step.repaired.iter().map(|(name, repaired)| (key(name), Value::from(*repaired))));
             Value::from(object)
         };
-        Map::from_iter([("steps".to_owned(), steps.iter().map(step).collect::<Value>())]).into()
+        let mut object = Map::from_iter([("steps".to_owned(), steps.iter().map(step).collect::<Value>())]);
+        if let Some(reason) = stopped {
+            object.insert("stopped".to_owned(), reason.into());
+        }
+        object.into()
     }
 }
 
-fn too_large(path: &str, what: &str) -> IdentificationError {
-    IdentificationError::at(path, format!("{what}: exact numbers would be too long; take fewer"))
-}
-
-fn moments_steps(document: &Identification, moments: &Moments) -> Result<Vec<Step>, IdentificationError> {
+fn moments_steps(document: &Identification, moments: &Moments) -> Result<Steps, IdentificationError> {
     const PATH: &str = "moments.readings";
     let reading = match moments.residuals {
         ResidualsName::Printed => Reading::Printed,
@@ -128,23 +164,17 @@ fn moments_steps(document: &Identification, moments: &Moments) -> Result<Vec<Ste
         ResidualsName::Predictive => Reading::Predictive,
     };
     let (n, p) = (moments.readings.len(), moments.readings.first().map_or(0, Vec::len));
-    let most = match (reading, &moments.adaptive_filter) {
-        (Reading::Last, None) => 4000,
-        (Reading::Last, Some(_)) => 80,
-        (_, None) => 120,
-        (_, Some(_)) => 24,
-    };
-    if p > MAXIMAL_ORDER || n.saturating_mul(p.saturating_pow(3)) > most {
-        let hint = "with `\"residuals\": \"last\"` and without the adaptive filter there may be more";
-        return Err(too_large(PATH, &format!("{n} readings of {p} components ({hint})")));
-    }
+    let effort = Effort::of_moments(reading, moments.adaptive_filter.is_some());
+    effort.admits_count(PATH, n, p)?;
     let rows = document.rows(PATH, &moments.readings)?;
+    effort.admits_lengths(PATH, n, p, rows.iter().flatten())?;
     let series = Series::new(rows).map_err(|error| match error {
         SeriesError::Ragged { index, .. } => IdentificationError::at(format!("{PATH}[{index}]"), error.to_string()),
         other => IdentificationError::at(PATH, other.to_string()),
     })?;
     let all = estimates(&series, reading).map_err(|error| IdentificationError::at(PATH, error.to_string()))?;
     let mut steps: Vec<Step> = all.iter().map(estimated).collect();
+    let mut stopped = None;
     if let Some(start) = &moments.adaptive_filter {
         let repair = match start.repair {
             RepairName::Keep => Repair::Keep,
@@ -153,13 +183,37 @@ fn moments_steps(document: &Identification, moments: &Moments) -> Result<Vec<Ste
         };
         let mean = document.column("moments.adaptive_filter.mean", &start.mean, p)?;
         let covariance = document.covariance("moments.adaptive_filter.covariance", &start.covariance, p)?;
-        let records = adaptive_filter(&series, reading, &Belief { mean, covariance }, repair)
-            .map_err(|error| IdentificationError::at("moments.adaptive_filter", error.to_string()))?;
-        for (step, record) in steps.iter_mut().zip(records) {
-            step.values.extend(adapted(record));
+        const START: &str = "moments.adaptive_filter";
+        let numbers = rows_and_start(&series, &mean, &covariance);
+        effort.admits_lengths(START, n, p, numbers)?;
+        let records = match adaptive_filter(&series, reading, &Belief { mean, covariance }, repair) {
+            Ok(records) => records,
+            Err(error) => {
+                stopped = Some(format!("{START}: {error}"));
+                steps.retain(|step| matches!(step.place, Place::Count(n) if n < error.step));
+                error.computed
+            }
+        };
+        for record in records {
+            let of_record = |step: &&mut Step| matches!(step.place, Place::Count(n) if n == record.step);
+            if let Some(step) = steps.iter_mut().find(of_record) {
+                step.repaired = vec![
+                    ("process noise repaired", record.process_repaired),
+                    ("observation noise repaired", record.observation_repaired),
+                ];
+                step.values.extend(adapted(record));
+            }
         }
     }
-    Ok(steps)
+    Ok(Steps { steps, stopped })
+}
+
+fn rows_and_start<'a>(
+    series: &'a Series<Rational>,
+    mean: &'a Matrix<Rational>,
+    covariance: &'a Matrix<Rational>,
+) -> impl Iterator<Item = &'a Rational> {
+    series.readings().iter().chain([mean, covariance]).flat_map(Matrix::entries)
 }
 
 fn estimated(estimates: &Estimates<Rational>) -> Step {
@@ -173,7 +227,7 @@ fn estimated(estimates: &Estimates<Rational>) -> Step {
         Ok(noise) => values.extend([("process noise", noise.process), ("observation noise", noise.observation)]),
         Err(singular) => values.push(("kernel of the transition", singular.kernel)),
     }
-    Step { title: format!("{} readings", estimates.count), values }
+    Step { place: Place::Count(estimates.count), values, repaired: Vec::new() }
 }
 
 fn adapted(record: AdaptiveRecord<Rational>) -> [(&'static str, Matrix<Rational>); 6] {
@@ -187,18 +241,27 @@ fn adapted(record: AdaptiveRecord<Rational>) -> [(&'static str, Matrix<Rational>
     ]
 }
 
-fn least_squares_steps(document: &Identification, asked: &LeastSquares) -> Result<Vec<Step>, IdentificationError> {
+fn least_squares_steps(document: &Identification, asked: &LeastSquares) -> Result<Steps, IdentificationError> {
     let path = |name: &str| format!("least_squares.{name}");
     let count = asked.output_lags.saturating_add(asked.input_lags);
     if count == 0 {
         return Err(IdentificationError::at(path("output_lags"), "there is no coefficient to learn"));
     }
     let n = asked.outputs.len();
-    if count > MAXIMAL_LAGS || n.saturating_mul(count * count) > 20_000 {
-        return Err(too_large(&path("outputs"), &format!("{n} outputs and {count} coefficients")));
-    }
+    let effort = Effort::of_least_squares();
+    effort.admits_count(&path("outputs"), n, count)?;
     if n == 0 {
         return Err(IdentificationError::at(path("outputs"), "there is no output"));
+    }
+    for (name, given, lags, of) in [
+        ("earlier_outputs", asked.earlier_outputs.len(), asked.output_lags, "output_lags"),
+        ("earlier_inputs", asked.earlier_inputs.len(), asked.input_lags, "input_lags"),
+        ("inputs", asked.inputs.len(), if asked.input_lags == 0 { 0 } else { usize::MAX }, "input_lags"),
+    ] {
+        if given > lags {
+            let message = format!("{given} numbers, of which `{of}` of {lags} would use {lags}; leave out the others");
+            return Err(IdentificationError::at(path(name), message));
+        }
     }
     // The last regressor holds u up to n − 2.
     let needed = if asked.input_lags == 0 { 0 } else { n - 1 };
@@ -223,13 +286,20 @@ fn least_squares_steps(document: &Identification, asked: &LeastSquares) -> Resul
             inputs: document.list(&path("earlier_inputs"), &asked.earlier_inputs)?,
         },
     };
+    let start = regression.mean.entries().iter().chain(regression.covariance.entries()).chain([&regression.noise]);
+    let history = regression.history.outputs.iter().chain(&regression.history.inputs);
+    let numbers = start.chain(history).chain(&outputs).chain(&inputs);
+    effort.admits_lengths(&path("outputs"), n, count, numbers)?;
     let wrong = |error: String| IdentificationError::at(path("outputs"), error);
     let data: Vec<_> = outputs.into_iter().map(|y| Observation::complete([y])).collect();
     let realised = regression.recorded(inputs).realised(&data).map_err(|error| wrong(error.to_string()))?;
-    let trace = filter(&realised).map_err(|error| wrong(error.to_string()))?;
+    let (records, stopped) = match filter(&realised) {
+        Ok(trace) => (trace.records, None),
+        Err(error) => (error.computed, Some(format!("{}[{}]: {}", path("outputs"), error.step, error.source))),
+    };
     let step = |(k, record): (usize, crate::trace::Record<Rational>)| {
         let values = vec![("mean", record.filtered.mean), ("covariance", record.filtered.covariance)];
-        Step { title: format!("output {k}"), values }
+        Step { place: Place::Output(k), values, repaired: Vec::new() }
     };
-    Ok(trace.records.into_iter().enumerate().map(step).collect())
+    Ok(Steps { steps: records.into_iter().enumerate().map(step).collect(), stopped })
 }

@@ -4,6 +4,7 @@
 
 mod cases;
 mod check;
+mod effort;
 mod estimate;
 mod exit;
 mod identify;

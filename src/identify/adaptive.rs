@@ -99,11 +99,12 @@ impl<S: Field> Belief<S> {
     }
 }
 
-/// The filter on the estimates from the data up to each step, from k = 3 on.
+/// The filter on the estimates from the data up to each step: from k = 3 on, under [`Repair::Keep`] from k = p + 2 on.
 ///
 /// AK-2.3-start: `P̂(0) is any positive semidefinite matrix`
 ///
-/// There are no estimates before k = 3, so `start` is x̂(2|2) and P̂(2). V̂(k) and Ŵ(k) may be no covariances, or, where
+/// There are no estimates before k = 3, so `start` is x̂(2|2) and P̂(2). Â(k) has a rank of at most k − 2, so V̂(k) and
+/// Ŵ(k) cannot be there before k = p + 2: under [`Repair::Keep`], `start` is x̂(p+1|p+1) and P̂(p+1). V̂(k) and Ŵ(k) may be no covariances, or, where
 /// Â(k) is singular, not be there: `repair` says what is done then, for each of the two on its own.
 ///
 /// Shapes: `start` p×1 and p×p. The covariance is not checked: indefinite in, indefinite out.
@@ -146,7 +147,9 @@ pub fn adaptive_filter<S: OrderedField + std::fmt::Display>(
     let p = series.dimension();
     let mut repairs = Repairs { repair, zero: Matrix::zeros(p, p), process: None, observation: None };
     let (mut belief, mut records) = (start.clone(), Vec::with_capacity(all.len()));
-    for estimates in all {
+    // The rank of Â(k) is at most k − 2: before p + 2 there is no V̂(k) to keep.
+    let first = if repair == Repair::Keep { p + 2 } else { 3 };
+    for estimates in all.into_iter().skip(first - 3) {
         let step = estimates.count;
         let y = &series.readings()[step - 1];
         let advanced = repairs.model(estimates).and_then(|(model, process_repaired, observation_repaired)| {
