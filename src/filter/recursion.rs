@@ -173,9 +173,10 @@ pub(super) fn propagated<S: Scalar>(state: &Moments<S>, transition: &Transition<
     }
 }
 
-/// The next state given y_k, when the transition departs from k and shares its noise with y_k; Γ = P⁻Cᵀ.
+/// The next state given y_k, when the transition departs from k and shares its noise with y_k: the mean is
+/// Ax⁻ + Bu + (AΓ + DFᵀ)S⁺ν, with x⁻ = x̂(k|k−1), Γ = P⁻Cᵀ, ν the innovation and S its covariance.
 ///
-/// HV-3: `x⁺ = A x⁻ + B u + (A Γ + DFᵀ) S⁺ ν`
+/// HV-3: `x̂(k+1|k) = A(k)x̂(k|k−1) + B(k)u(k) + K(k)[y(k) − C(k−1)x̂(k|k−1) − G(k−1)v(k−1)]`
 ///
 /// HV-4: `P(k+1|k) = A(k)P(k|k−1)Aᵀ(k) + D(k)Dᵀ(k) − K(k)[C(k−1)P(k|k−1)Aᵀ(k) + F(k−1)Dᵀ(k)]`
 ///

@@ -13,7 +13,7 @@ use crate::scalar::{Rational, Scalar};
 /// ‖Z‖ ≤ ‖E‖.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FixedPointEnclosure {
-    /// At most S∞, and at most φⁿ(V).
+    /// Positive definite, at most S∞, and at most φⁿ(V).
     pub lower: Matrix<Rational>,
     /// At least S∞, and at least φⁿ(AWAᵀ + V).
     pub upper: Matrix<Rational>,
@@ -48,8 +48,9 @@ impl RiccatiMap<Rational> {
     ///
     /// After each step both are rounded outwards to multiples of a power of two far below the gap. That keeps them
     /// bounds: if 0 ≤ L ≤ S∞ then φ(L) ≤ φ(S∞) = S∞ by monotony, so anything below φ(L) is below S∞ (and below φⁿ(V) if L was
-    /// below φⁿ⁻¹(V)); likewise above. So entries stay short, and the work is that of `most_steps` steps at most. A gap
-    /// of zero allows no rounding, and is reached only where φⁿ is constant.
+    /// below φⁿ⁻¹(V)); likewise above. Where rounding would leave a lower bound that is not positive definite, it stays as it
+    /// is: φ(L) ≥ V > 0. So entries stay short in general, and there are at most `most_steps` steps. A gap of zero allows no
+    /// rounding, and is reached only where φⁿ is constant; a negative gap counts as zero.
     ///
     /// # Errors
     ///
@@ -74,19 +75,20 @@ impl RiccatiMap<Rational> {
         if null.columns() > 0 {
             return Err(FixedPointError::StateNoiseSingular { direction: null.select_columns(&[0]) });
         }
-        let unit = Unit::for_gap(gap, self.states());
+        let gap = if gap.is_negative() { Rational::zero() } else { gap.clone() };
+        let unit = Unit::for_gap(&gap, self.states());
         let mut reached =
             FixedPointEnclosure { lower: self.state_noise().clone(), upper: self.upper_bound(), steps: 0 };
-        while gap.is_negative() || reached.squared_gap() > gap.times(gap) {
+        while reached.squared_gap() > gap.times(&gap) {
             if reached.steps == most_steps {
                 return Err(FixedPointError::TooFewSteps { reached });
             }
             let lower = self.image(&reached.lower);
             let rounded = unit.outward(&lower, Direction::Down);
-            // φ is defined, and monotone, for positive semidefinite arguments only.
-            let is_semidefinite = rounded.ldl().is_ok();
+            // A semidefinite bound would do for φ, but L + W might be singular, and no pseudo-inverse bounds (S∞ + W)⁻¹.
+            let is_definite = rounded.ldl().is_ok_and(|ldl| ldl.is_positive_definite());
             reached = FixedPointEnclosure {
-                lower: if is_semidefinite { rounded } else { lower },
+                lower: if is_definite { rounded } else { lower },
                 upper: unit.outward(&self.image(&reached.upper), Direction::Up),
                 steps: reached.steps + 1,
             };
@@ -109,11 +111,14 @@ impl RiccatiMap<Rational> {
     ///
     /// `I − Δ∞ = W(S∞ + W)⁻¹`, and with the bounds L ≤ S∞ ≤ U and Z = (S∞ + W)⁻¹ − (U + W)⁻¹ there is
     /// `0 ≤ Z ≤ E = (L + W)⁻¹ − (U + W)⁻¹`. So `|aᵀZb| ≤ √(aᵀEa·bᵀEb) ≤ ½(aᵀEa + bᵀEb)`, with a row of W and a unit vector.
+    /// This needs L + W > 0, which every enclosure of [`RiccatiMap::fixed_point`] has, as L > 0.
     ///
     /// # Panics
     ///
-    /// If the enclosure is that of a map of another order.
+    /// If the enclosure is that of a map of another order, or if its lower bound and W have a sum that is not positive definite.
     pub fn gain_limit(&self, s: &FixedPointEnclosure) -> GainEnclosure {
+        let least = &s.lower + self.observation_noise();
+        assert!(least.ldl().is_ok_and(|ldl| ldl.is_positive_definite()), "L + W is not positive definite: {least}");
         let spread = self.information(&s.lower) - self.information(&s.upper);
         let rows = self.observation_noise().congruence(&spread);
         let half = Rational::new_raw(1.into(), 2.into());

@@ -107,22 +107,31 @@ fn the_fixed_points_are_enclosed() {
     }
 }
 
-/// AK-T2.4, AK-C2.3: Ŝ(k) → S∞ and Δ̂(k) → Δ∞ from several P̂(0), one of them zero: the error is below c/k at k = 10, 20
-/// and 40 with one c, chosen from k = 10, for stable and unstable A, and for singular W.
+/// Whether k·error(k) is the same at k = 20 and k = 40 to 5 %: the error falls like 1/k, to zero.
+fn falls_like_the_estimates(run: &[Q], limit: &Q) -> bool {
+    let [early, late] = [20, 40].map(|k: i64| {
+        let place = usize::try_from(k).unwrap_or(1) - 1;
+        size(&(&run[place] - limit)) * ratio(k, 1)
+    });
+    let slack = ratio(21, 20);
+    early <= &late * &slack && late <= early * slack
+}
+
+/// AK-T2.4, AK-C2.3: Ŝ(k) → S∞ and Δ̂(k) → Δ∞ from several P̂(0), one of them zero, for stable and unstable A, and for singular
+/// W. As the estimates are off by a multiple of 1/k, k times the error settles: at k = 20 and 40 it is the same to 5 %. For a
+/// limit that is off by 1/20 in every entry it is not.
 #[test]
 fn estimated_covariances_converge() {
     for limit in Limit::examples() {
+        let p = limit.p();
         let gain = &limit.s * inverse(&(&limit.s + &limit.w));
-        for start in [Matrix::zeros(limit.p(), limit.p()), Matrix::identity(limit.p()).scaled(&ratio(1000, 1))] {
-            let run = limit.run(40, &start, |n| limit.estimate(n));
-            let errors = |k: usize| [size(&(&run[k - 1].0 - &limit.s)), size(&(&run[k - 1].1 - &gain))];
-            let constants = errors(10).map(|error| error * ratio(20, 1));
-            for k in [20, 40] {
-                let share = ratio(1, i64::try_from(k).unwrap_or(i64::MAX));
-                for (error, constant) in errors(k).iter().zip(&constants) {
-                    assert!(*error <= constant * &share, "k = {k}: {error}");
-                    // Not because it stood there from the start.
-                    assert!(*error > ratio(0, 1));
+        for start in [Matrix::zeros(p, p), Matrix::identity(p).scaled(&ratio(1000, 1))] {
+            let (covariances, gains): (Vec<Q>, Vec<Q>) =
+                limit.run(40, &start, |n| limit.estimate(n)).into_iter().unzip();
+            for (run, target) in [(covariances, &limit.s), (gains, &gain)] {
+                assert!(falls_like_the_estimates(&run, target));
+                for off in [ratio(1, 20), ratio(-1, 20)] {
+                    assert!(!falls_like_the_estimates(&run, &target.map(|entry| entry + &off)), "{off}");
                 }
             }
         }
@@ -231,16 +240,6 @@ fn all_iterates_lie_in_a_compact_set() {
             }
         }
     }
-}
-
-/// Erratum AK-5-compact: the reason is (4.2), V ≤ φ(S) ≤ AWAᵀ + V for every S > 0. The printed (4.3) says it of fixed points:
-/// A = V = W = S = 1 has φ(S) = 3/2 between the bounds 1 and 2, but S = φ(S), from which (4.3) starts, does not hold.
-#[test]
-fn bounds_hold_for_all_arguments() {
-    let one = number(ratio(1, 1));
-    let image = riccati(&one, &one, &one, &one);
-    assert!(between(&one, &image, &number(ratio(2, 1))));
-    assert_ne!(image, one);
 }
 
 /// AK-5-r: the r for which the enclosure is ε wide serves all starts, from εI to I/ε and beyond.

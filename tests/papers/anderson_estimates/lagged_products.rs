@@ -178,16 +178,3 @@ fn terms_grow_no_faster_than_averages() {
         assert!((1..=12).map(share).max() <= largest);
     }
 }
-
-/// Erratum AK-L3.2: with u(k) for k ≥ 1 only, as in (3.6), the products u(k)uᵀ(k−i) exist from k = i + 1 on; at k = i,
-/// as printed, w(0) would be needed, and there is none.
-#[test]
-fn lagged_products_begin_after_the_lag() {
-    let world = nilpotent(&mut Draws::seeded(46), 2);
-    let exists = |k: i64| world.w(k).is_some();
-    for i in 0..4 {
-        let first = (0..5).find(|&k| exists(k) && exists(k - i));
-        assert_eq!(first, Some(i + 1));
-        assert_ne!(first, Some(i));
-    }
-}

@@ -2,11 +2,13 @@
 //!
 //! Two kinds of tests. *Averages* over one path of 100 000 steps are compared with their limit within six standard
 //! deviations, which follow from the covariances of the system (normal noise): a correct program fails one in 10⁹ times,
-//! and the limits that a mistake or a dropped hypothesis has are further away. *Medians* of an error over several hundred
-//! runs are compared at n and 16n. Where the error falls like n^(−1/2) their ratio is 1/4, where it does not fall it is 1;
-//! the bound is 1/2. The sample median of 400 runs has a relative standard deviation of 6 % for a half-normal error and
-//! of 8 % for a Cauchy one, the ratio of two of them 9 % and 11 %, so that ln 2 is more than six deviations away on
-//! either side. Seeds are fixed, so a test that passes always passes.
+//! and the limits that a mistake or a dropped hypothesis has are further away. *Medians* of an error over 400 runs are
+//! compared at n and 16n. Where the error falls like n^(−1/2) their ratio comes to 1/4, where it does not fall to 1; the
+//! bound is 1/2. The sample median of 400 runs has a relative standard deviation of 6 % for a half-normal error and of 8 %
+//! for a Cauchy one, the ratio of two of them 9 % and 11 %: from 1/4 or 1 to the bound it is six deviations. At these n early
+//! steps still count: the ratios measured are 0.24 to 0.29, and 0.34 and 0.31 for the averages of AK-T2.5 and AK-C2.4, which
+//! leaves about four deviations to the bound. Where nothing should fall they are 0.88 to 1.5, but 0.67 for A = 11/10 in
+//! AK-T2.5, three deviations. Seeds are fixed, so a test that passes always passes.
 
 use exact_kalman::float::{AdaptiveFilter, Estimator};
 use exact_kalman::model::{Reading, Repair};
@@ -67,12 +69,19 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// The median over the runs of an error at n and at 16n: their ratio.
-fn ratio_of_medians(name: &str, runs: usize, error: impl Fn(&mut Stream) -> [f64; 2]) -> f64 {
-    let errors: Vec<[f64; 2]> =
-        (0..runs).map(|run| error(&mut Stream::named(&format!("{name}/{run}"), 1969))).collect();
-    let [early, late] = [0, 1].map(|place| median(errors.iter().map(|error| error[place]).collect()));
-    late / early
+/// The medians over 400 runs of some errors, each at n and at 16n: their ratios.
+fn ratios_of_medians<const N: usize>(name: &str, errors: impl Fn(&mut Stream) -> [[f64; 2]; N]) -> [f64; N] {
+    let runs: Vec<[[f64; 2]; N]> =
+        (0..400).map(|run| errors(&mut Stream::named(&format!("{name}/{run}"), 1969))).collect();
+    std::array::from_fn(|which| {
+        let [early, late] = [0, 1].map(|place| median(runs.iter().map(|errors| errors[which][place]).collect()));
+        late / early
+    })
+}
+
+fn ratio_of_medians(name: &str, error: impl Fn(&mut Stream) -> [f64; 2]) -> f64 {
+    let [ratio] = ratios_of_medians(name, |stream| [error(stream)]);
+    ratio
 }
 
 /// |Â(n) − A| at n = 500 and 8000, by (2.1) with two sums.
@@ -91,11 +100,11 @@ fn errors_of_transition(system: System) -> impl Fn(&mut Stream) -> [f64; 2] {
 /// of x(0) = 100 tells of A). ρ(A) < 1 is not needed in order one: at A = 11/10 the error falls much faster.
 #[test]
 fn estimates_of_the_transition_are_consistent() {
-    assert!(ratio_of_medians("T2.1", 400, errors_of_transition(REGULAR)) < 0.5);
+    assert!(ratio_of_medians("T2.1", errors_of_transition(REGULAR)) < 0.5);
     let blind = System { a: 0.0, start: 0.0, ..REGULAR };
-    assert!(ratio_of_medians("T2.1, A = 0", 400, errors_of_transition(blind)) > 0.5);
+    assert!(ratio_of_medians("T2.1, A = 0", errors_of_transition(blind)) > 0.5);
     let quiet = System { a: 0.9, v: 0.0, w: 1.0, start: 100.0 };
-    assert!(ratio_of_medians("T2.1, V = 0", 400, errors_of_transition(quiet)) > 0.5);
+    assert!(ratio_of_medians("T2.1, V = 0", errors_of_transition(quiet)) > 0.5);
     let explosive = System { a: 1.1, ..REGULAR };
     let errors = |stream: &mut Stream| {
         let y = explosive.path(stream, 160).y;
@@ -104,7 +113,7 @@ fn estimates_of_the_transition_are_consistent() {
             (sum(0) / sum(1) - explosive.a).abs()
         })
     };
-    assert!(ratio_of_medians("T2.1, A = 11/10", 400, errors) < 0.01);
+    assert!(ratio_of_medians("T2.1, A = 11/10", errors) < 0.01);
 }
 
 /// AK-T2.1 in order two, with the program's own estimator.
@@ -125,7 +134,7 @@ fn matrices_are_estimated_consistently() {
         }
         [early, error(&estimator)]
     };
-    assert!(ratio_of_medians("T2.1, p = 2", 200, errors) < 0.5);
+    assert!(ratio_of_medians("T2.1, p = 2", errors) < 0.5);
 }
 
 /// |B(n,i) − B(i)| at n = 500 and 8000.
@@ -147,6 +156,28 @@ fn errors_of_residuals(system: System, reading: Reading, i: usize) -> impl Fn(&m
     }
 }
 
+/// |B(n,1) − B(1)| at n and 16n with Â(k) = A + 1/k in (2.2): a consistent estimate that is not (2.1).
+fn errors_with_another_estimate(system: System, n: usize) -> impl Fn(&mut Stream) -> [f64; 2] {
+    move |stream| {
+        let System { a, v, w, .. } = system;
+        let y = system.path(stream, 16 * n).y;
+        [n, 16 * n].map(|n| {
+            let residual = |k: usize| y[k - 1] - (a + 1.0 / real(k)) * y[k - 2];
+            let found = (3..=n).map(|k| residual(k).powi(2)).sum::<f64>() / real(n);
+            (found - (v + w + a * a * w)).abs()
+        })
+    }
+}
+
+/// AK-T2.2 for a consistent estimate that is none of the paper's, Â(k) = A + 1/k: B(n,1) is consistent for A = 1/2. ρ(A) < 1 is
+/// needed: at A = 11/10 the residual y(k) − Â(k)y(k−1) = z(k) − y(k−1)/k grows, and the error with it.
+#[test]
+fn any_consistent_estimate_of_the_transition_serves_stable_systems() {
+    assert!(ratio_of_medians("T2.2, A + 1/k", errors_with_another_estimate(REGULAR, 500)) < 0.5);
+    let explosive = System { a: 1.1, ..REGULAR };
+    assert!(ratio_of_medians("T2.2, A + 1/k, A = 11/10", errors_with_another_estimate(explosive, 10)) > 100.0);
+}
+
 /// AK-T2.2, AK-Rem2.2: B(n,1) and B(n,2) with Â(k), with Â(n), and in the reading that meets Table 1; not with (2.1) on a
 /// system with A = 0, where Â is not consistent.
 #[test]
@@ -154,11 +185,11 @@ fn estimates_of_the_residual_covariances_are_consistent() {
     for reading in Reading::ALL {
         for i in [1, 2] {
             let name = format!("T2.2/{}/{i}", reading.name());
-            assert!(ratio_of_medians(&name, 400, errors_of_residuals(REGULAR, reading, i)) < 0.5, "{name}");
+            assert!(ratio_of_medians(&name, errors_of_residuals(REGULAR, reading, i)) < 0.5, "{name}");
         }
     }
     let blind = System { a: 0.0, start: 0.0, ..REGULAR };
-    assert!(ratio_of_medians("T2.2, A = 0", 400, errors_of_residuals(blind, Reading::Last, 1)) > 0.5);
+    assert!(ratio_of_medians("T2.2, A = 0", errors_of_residuals(blind, Reading::Last, 1)) > 0.5);
 }
 
 /// AK-Kron-limit, AK-3.1, AK-3.2: the averages of w(k)y(k−2), (v(k−1) − Aw(k−1))y(k−2) and z(k)y(k−2) go to 0, that of
@@ -184,8 +215,9 @@ fn noise_averages_vanish_and_the_lag_sum_does_not() {
 
 /// AK-L3.2, AK-3.8a, AK-3.8b, AK-3.9, AK-3.9-bound: averages of lagged products and of their moduli, for y (from x(0) = 20)
 /// and for u (stationary) with the same noise, go to the same limits γ(i) and (2/π)γ(0)(√(1−ρ²) + ρ asin ρ), ρ = γ(i)/γ(0).
-/// The variance of the product is as in (3.2); that of the modulus is taken as three times E u(k)²u(k−i)² = γ(0)² + 2γ(i)², as
-/// the correlations of |u| fall like ρ². The single differences vanish like 2⁻ᵏ, and |u(k)|/k is bounded by the largest
+/// The variance of the product is as in (3.2). AK-3.8b is claimed for the lags 0, where the modulus is the product, and 1, where
+/// n times the variance of the average modulus is 47 (from a path of 400 000 steps) and 60 is taken: that keeps the limit,
+/// 3.44, apart from 3.18, that of independent factors. At lags 2 and 3 it is too near to that. The single differences vanish like 2⁻ᵏ, and |u(k)|/k is bounded by the largest
 /// average, itself below six deviations.
 #[test]
 fn averages_of_lagged_products_converge() {
@@ -205,7 +237,11 @@ fn averages_of_lagged_products_converge() {
             let average = |f: fn(f64) -> f64| mean((i..STEPS).map(|k| f(series[k] * series[k - i])), STEPS);
             // At i = 0 the variance is 2 Σ γ(h)² = 214/3, at others less.
             assert!(near(average(|product| product), gamma, 214.0 / 3.0, STEPS), "lag {i}");
-            assert!(near(average(f64::abs), modulus, 3.0 * (25.0 + 2.0 * gamma * gamma), STEPS), "lag {i}");
+            if i <= 1 {
+                let variance = if i == 0 { 214.0 / 3.0 } else { 60.0 };
+                assert!(near(average(f64::abs), modulus, variance, STEPS), "lag {i}");
+                assert!(!near(average(f64::abs), 10.0 * std::f64::consts::FRAC_1_PI, variance, STEPS), "lag {i}");
+            }
         }
         let difference = |k: usize| (u[k] * u[k - i] - path.y[k] * path.y[k - i]).abs();
         assert!((0..10).any(|k| difference(k + i) > 0.1));
@@ -247,7 +283,8 @@ fn time_averages_are_means() {
 }
 
 /// AK-Bbar-limit: B̄(n,1) → 17/4 and B̄(n,2) → 77/16, with variances 2 Σ_h γ(h)² of the residuals: γ = 17/4, −1/2 and
-/// γ = 77/16, 3/2, −1/4. The residuals do not know ρ(A): at A = 2 they are as near, computed from the noise.
+/// γ = 77/16, 3/2, −1/4. The residuals are computed from the noise, as in AK-z; so ρ(A) does not enter, and at A = 2 they are
+/// as near. Readings at A = 2 are not simulated.
 #[test]
 fn residual_covariances_with_the_true_transition() {
     for a in [0.5, 2.0] {
@@ -302,10 +339,8 @@ fn errors_of_filter(system: System, n: usize, scale: f64) -> impl Fn(&mut Stream
 /// as the error of Â falls.
 #[test]
 fn the_adaptive_filter_comes_to_the_filter() {
-    let ratios = |name: &str, system: System, n: usize, scale: f64| {
-        let errors = errors_of_filter(system, n, scale);
-        [0, 1, 2].map(|which| ratio_of_medians(name, 150, |stream| errors(stream)[which]))
-    };
+    let ratios =
+        |name: &str, system: System, n: usize, scale: f64| ratios_of_medians(name, errors_of_filter(system, n, scale));
     for ratio in ratios("T2.5", REGULAR, 500, 1.0) {
         assert!(ratio < 0.5, "{ratio}");
     }

@@ -10,7 +10,7 @@ fn cell(table: &ConsistencyTable, count: usize, estimate: Estimate, statistic: S
     *row.cells.iter().find(|cell| cell.estimate == estimate && cell.statistic == statistic).expect("a printed cell")
 }
 
-/// AK-Sim, AK-Tab1. Erratum AK-Tab1: with 1000 batches (2.2) to the letter puts 36 of the 48 printed numbers inside the
+/// AK-Sim, AK-Tab1. Erratum AK-Tab1: (2.2) does not give the table. With 1000 batches (2.2) to the letter puts 36 of the 48 printed numbers inside the
 /// central 95 %, and the reading with residuals of predictions 45. With 200 batches as here the bounds are a little
 /// unsure, and a cell or two near a bound move: 40 and 43 lie between with room on both sides. The means of Ŵ decide:
 /// to the letter, those for n = 20 to 100 are outside, all too small; as predictions none is.

@@ -45,7 +45,7 @@ proptest! {
             }
             Err(error) => panic!("{error}"),
         };
-        prop_assert!(le(&found.lower, &t) && le(&t, &found.upper));
+        prop_assert!(le(&found.lower, &t) && le(&t, &found.upper) && is_definite(&found.lower));
         // Δ∞ and P∞ of AK-C2.1.
         let (total, identity) = (inverse(&(&t + &w)), Matrix::identity(t.rows()));
         let (after, gain) = (&t - &t * &total * &t, &t * total);
@@ -56,6 +56,14 @@ proptest! {
         for (place, (centre, radius)) in limit.centre.entries().iter().zip(limit.radius.entries()).enumerate() {
             let error = &gain.entries()[place] - centre;
             prop_assert!(&error <= radius && -error <= *radius);
+        }
+        // The radius is no larger than the gap makes it: (L + W)⁻¹ − (U + W)⁻¹ = (L + W)⁻¹(U − L)(U + W)⁻¹, and
+        // norms of products are at most products of norms.
+        let [low, high] = [&found.lower, &found.upper].map(|bound| inverse(&(bound + &w)).squared_norm());
+        let share = w.squared_norm() + ratio(1, 1);
+        let most = &share * &share * low * high * found.squared_gap();
+        for radius in limit.radius.entries() {
+            prop_assert!(radius * radius * ratio(4, 1) <= most, "{radius}");
         }
     }
 
@@ -125,8 +133,43 @@ proptest! {
     }
 }
 
-/// AK-T2.3: two fixed points T₁, T₂ satisfy T₁ − T₂ = D₁(T₁ − T₂)D₂ᵀ, and X = D₁XD₂ᵀ has only X = 0 where ρ(D₁), ρ(D₂) < 1: here
-/// for the loops of constructed fixed points of different maps, whose blocks make one D.
+/// AK-C2.1: A = I, V = diag(2⁻³⁴, 1), W = diag(0, 100), where rounding for a gap of 1/2 would make the first entry of the
+/// lower bound 0 and its sum with W singular. The bound stays positive definite, the radius is not negative, and the gains
+/// of exact iterates from small and large starts lie within it.
+#[test]
+fn bounds_stay_definite_beside_singular_noise() {
+    let w = integers(&[[0, 0], [0, 100]]);
+    let v = Matrix::diagonal(&[ratio(1, 1 << 34), ratio(1, 1)]);
+    let map = map(&Matrix::identity(2), &v, &w);
+    let found = map.fixed_point(&ratio(1, 2), 100).unwrap_or_else(|error| panic!("{error}"));
+    assert!(found.steps > 0 && is_definite(&found.lower));
+    assert!(le(&found.lower, &map.iterate(&v, found.steps)));
+    let limit = map.gain_limit(&found);
+    assert!(limit.radius.entries().iter().all(|radius| *radius >= ratio(0, 1)), "{}", limit.radius);
+    for scale in [ratio(1, 1_000_000), ratio(1, 1), ratio(1_000_000, 1)] {
+        let mut s = map.iterate(&Matrix::identity(2).scaled(&scale), found.steps + 1);
+        for _ in 0..10 {
+            let error = &s * inverse(&(&s + &w)) - &limit.centre;
+            for (entry, radius) in error.entries().iter().zip(limit.radius.entries()) {
+                assert!(entry <= radius && -entry <= *radius, "{entry} beyond {radius}");
+            }
+            s = map.image(&s);
+        }
+    }
+}
+
+/// AK-C2.1: an enclosure made by hand whose lower bound is singular together with W bounds no gain, and is not taken for one.
+#[test]
+#[should_panic(expected = "L + W is not positive definite")]
+fn singular_bounds_give_no_gain() {
+    let map = map(&Matrix::identity(2), &Matrix::identity(2), &integers(&[[0, 0], [0, 100]]));
+    let lower = integers(&[[0, 0], [0, 1]]);
+    map.gain_limit(&FixedPointEnclosure { lower, upper: map.upper_bound(), steps: 0 });
+}
+
+/// AK-T2.3: two fixed points T₁, T₂ satisfy T₁ − T₂ = D₁(T₁ − T₂)D₂ᵀ, and X = D₁XD₂ᵀ has only X = 0 where ρ(D₁), ρ(D₂) < 1:
+/// here for three chosen matrices with ρ < 1, taken in pairs as D₁ and D₂ (they are no loops of given maps), whose blocks
+/// make one D.
 #[test]
 fn stable_loops_keep_no_difference() {
     let loops = [
@@ -148,8 +191,8 @@ fn stable_loops_keep_no_difference() {
     assert_eq!(both.congruence(&error.homogeneous), error.homogeneous);
 }
 
-/// Erratum AK-C2.1: printed S₀, Δ₀, P₀ for the limits. For A = V = 1, W = 2 they are S∞ = 2, Δ∞ = 1/2, P∞ = 1, from every start;
-/// P₀ is the covariance of x(0) in (1.4), and with P(0) = 0 the covariances do not tend to it.
+/// AK-C2.1: for A = V = 1, W = 2 the limits are S∞ = 2, Δ∞ = 1/2, P∞ = 1 from every start, whatever P(0) is: the limit
+/// that the paper calls P₀ is not the P₀ of (1.4).
 #[test]
 fn limits_are_not_what_the_filter_starts_with() {
     let map = map(&integers(&[[1]]), &integers(&[[1]]), &integers(&[[2]]));
@@ -167,7 +210,7 @@ fn limits_are_not_what_the_filter_starts_with() {
         assert!(
             near(&step.predicted, ratio(2, 1)) && near(&step.gain, ratio(1, 2)) && near(&step.filtered, ratio(1, 1))
         );
-        assert_eq!(near(&step.filtered, number(&start)), start == integers(&[[1]]), "P(k) → P(0), as printed");
+        assert_eq!(near(&step.filtered, number(&start)), start == integers(&[[1]]), "P(k) → P(0)");
     }
 }
 
@@ -192,11 +235,12 @@ fn refusals_say_why() {
         }
         other => panic!("{other:?}"),
     }
-    // A gap below zero is never reached, one of zero only where nothing moves.
+    // A gap below zero counts as zero, which is reached only where nothing moves.
     assert!(matches!(map.fixed_point(&ratio(-1, 1), 2), Err(FixedPointError::TooFewSteps { .. })));
     let still = super::draws::map(&Matrix::zeros(2, 2), &Matrix::identity(2), &w);
     let found = still.fixed_point(&ratio(0, 1), 0).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(found, FixedPointEnclosure { lower: Matrix::identity(2), upper: Matrix::identity(2), steps: 0 });
+    assert_eq!(still.fixed_point(&ratio(-1, 1), 0), Ok(found));
 }
 
 /// AK-4.2-sandwich: long runs have short entries: a loop that contracts by 0.998 a step needs thousands of steps.
