@@ -32,8 +32,8 @@ pub(super) struct Effort {
 impl Effort {
     pub(super) fn of_moments(reading: Reading, adaptive: bool) -> Self {
         let (sums, work, hint) = match (reading == Reading::Last, adaptive) {
-            (true, false) => (0, 1e9, ""),
-            (true, true) => (1, 1e10, ", or leave out the adaptive filter"),
+            (true, false) => (0, 2e8, ""),
+            (true, true) => (1, 5e9, ", or leave out the adaptive filter"),
             (false, false) => (1, 1e10, ", or choose `\"residuals\": \"last\"`"),
             (false, true) => (2, 1e12, ", or choose `\"residuals\": \"last\"`, or leave out the adaptive filter"),
         };
@@ -41,7 +41,7 @@ impl Effort {
     }
 
     pub(super) fn of_least_squares() -> Self {
-        Self { data: "outputs", order: 32, count: 20_000, power: 2, sums: 0, work: 1e11, hint: "" }
+        Self { data: "outputs", order: 32, count: 20_000, power: 2, sums: 0, work: 1e10, hint: "" }
     }
 
     /// Whether so many data of this order are few enough.

@@ -72,7 +72,7 @@ fn least_squares_by_hand() {
         let (n, d) = text.split_once('/').unwrap_or((text, "1"));
         (n.parse::<i64>().unwrap(), d.parse::<i64>().unwrap())
     };
-    let (n, d) = fraction(&document["steps"][0]["mean"][0][0]);
+    let (n, d) = fraction(&document["steps"][0]["mean"][0]);
     assert_eq!(2 * n * determinant, (794 * 13 - 97 * 21) * d);
     let (n, d) = fraction(&document["steps"][0]["covariance"][0][1]);
     assert_eq!(n * determinant, -97 * d);
@@ -111,8 +111,8 @@ fn bad_input_is_refused_with_its_place() {
             "either `moments` or `least_squares`",
         ),
         (json!({"format": "exact-kalman/identification/1"}), "either `moments` or `least_squares`"),
-        (with(good(), "/moments/readings", json!(vec![vec!["1"; 5]; 3])), "take fewer"),
-        (with(good(), "/moments/readings", json!(vec![vec!["1"]; 121])), "take fewer"),
+        (with(good(), "/moments/readings", json!(vec![vec!["1"; 5]; 3])), "the order 5 is too large"),
+        (with(good(), "/moments/readings", json!(vec![vec!["1"]; 4001])), "4001 readings are too many"),
         (
             with(good(), "/moments/adaptive_filter", json!({"mean": ["1", "2"], "covariance": [["1"]]})),
             "moments.adaptive_filter.mean: 2 numbers where 1 are needed",
@@ -123,8 +123,8 @@ fn bad_input_is_refused_with_its_place() {
         ),
         (with(least_squares(), "/least_squares/inputs", json!(["1"])), "least_squares.inputs: 1 inputs; from 2 to 3"),
         (with(least_squares(), "/least_squares/noise", json!("-1")), "least_squares.noise: "),
-        (with(least_squares(), "/least_squares/output_lags", json!(1_000_000_000)), "take fewer"),
-        (with(least_squares(), "/least_squares/output_lags", json!(u64::MAX)), "take fewer"),
+        (with(least_squares(), "/least_squares/output_lags", json!(1_000_000_000)), "take fewer lags"),
+        (with(least_squares(), "/least_squares/output_lags", json!(u64::MAX)), "take fewer lags"),
         (with(least_squares(), "/least_squares/output_lags", json!(-1)), "least_squares.output_lags"),
         (with(least_squares(), "/least_squares/outputs", json!([])), "least_squares.outputs: there is no output"),
         (with(least_squares(), "/least_squares/covariance/1", json!(["1", "1"])), "least_squares.covariance: "),
@@ -135,14 +135,39 @@ fn bad_input_is_refused_with_its_place() {
         assert!(message.contains(expected), "{document}\n{message}");
     }
     let keep = json!({"mean": [1], "covariance": [[1]], "repair": "keep"});
-    let message = alone(with(moments(&[1, 1, 0]), "/moments/adaptive_filter", keep));
-    assert!(message.contains("stops at y(3)") && message.contains("it maps [1] to zero"), "{message}");
+    let ran = feed(&["identify", "-"], &with(moments(&[1, 1, 0]), "/moments/adaptive_filter", keep).to_string());
+    assert_eq!((ran.code, ran.stdout.as_str()), (1, ""));
+    assert!(ran.stderr.contains("stops at y(3)") && ran.stderr.contains("it maps [1] to zero"), "{}", ran.stderr);
     assert!(feed(&["identify", "-"], "").trouble().contains("too early"));
     assert!(feed(&["identify", "-"], "[1").code == 2);
     // Without noise, y = y₋₁ cannot be followed by something else.
     let certain = json!({"format": "exact-kalman/identification/1", "least_squares": {
-        "output_lags": 1, "mean": [1], "covariance": [[0]], "noise": 0, "earlier_outputs": [1], "outputs": [2]}});
-    assert!(alone(certain).contains("probability zero"));
+        "output_lags": 1, "mean": [1], "covariance": [[0]], "noise": 0, "earlier_outputs": [1], "outputs": [1, 2]}});
+    let ran = feed(&["identify", "-"], &certain.to_string());
+    assert_eq!((ran.code, ran.stdout.lines().next()), (1, Some("output 0")));
+    assert!(ran.stderr.contains("outputs[1]: ") && ran.stderr.contains("probability zero"), "{}", ran.stderr);
+}
+
+#[test]
+fn data_that_would_be_ignored_are_refused() {
+    for (key, value, expected) in [
+        ("earlier_inputs", json!([1, 2]), "earlier_inputs: 2 numbers"),
+        ("earlier_outputs", json!([1, 2]), "earlier_outputs: 2 numbers"),
+    ] {
+        let document = with(least_squares(), &format!("/least_squares/{key}"), value);
+        assert!(feed(&["identify", "-"], &document.to_string()).trouble().contains(expected));
+    }
+}
+
+#[test]
+fn long_numbers_are_refused_before_the_work_is_begun() {
+    let long: Vec<Value> = (0..24).map(|k| json!([format!("1/{}{k}1", "7".repeat(150))])).collect();
+    let message = feed(&["identify", "-"], &with(moments(&[]), "/moments/readings", json!(long)).to_string()).trouble();
+    assert!(message.contains("too long for 24 readings") && message.contains("\"residuals\": \"last\""), "{message}");
+    let start = json!({"mean": [0, 0, 0, 0], "covariance": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]});
+    let short: Vec<Value> = (1..=7).map(|k| json!([k, k * k % 7, 5 - k, k % 3])).collect();
+    let document = with(with(moments(&[]), "/moments/readings", json!(short)), "/moments/adaptive_filter", start);
+    feed(&["identify", "-", "--last"], &document.to_string()).quietly(0);
 }
 
 /// Every number of the examples goes through: schema, reader and program agree that they are good.
