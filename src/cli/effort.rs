@@ -96,7 +96,8 @@ fn common_length<'a>(numbers: impl IntoIterator<Item = &'a Rational>, most: f64)
         if !common.is_multiple_of(number.denom()) {
             common = common.lcm(number.denom());
         }
-        let [above, below] = [number.numer(), number.denom()].map(|part| i64::try_from(part.bits()).unwrap_or(i64::MAX));
+        let [above, below] =
+            [number.numer(), number.denom()].map(|part| i64::try_from(part.bits()).unwrap_or(i64::MAX));
         excess = excess.max(above - below);
         let bits = common.bits().saturating_add(excess.unsigned_abs());
         if bits as f64 > most {

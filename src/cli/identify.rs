@@ -29,6 +29,9 @@ The input is described in docs/IDENTIFY.md. Where the data contradict the model,
 stops, the steps before are printed all the same. Exit codes: 0 all answered, 1 stopped before the last
 reading, 2 trouble with the input";
 
+/// The place of the start of the adaptive filter in the document.
+const ADAPTIVE_START: &str = "moments.adaptive_filter";
+
 /// Estimate a system from data, exactly
 #[derive(clap::Args, Debug)]
 #[command(after_help = EXAMPLES)]
@@ -127,9 +130,8 @@ impl Identify {
     }
 
     fn json(&self, steps: &[Step], stopped: Option<&str>) -> Value {
-        let list = |entries: &[Rational]| -> Value {
-            entries.iter().map(|entry| Value::from(self.number(entry))).collect()
-        };
+        let list =
+            |entries: &[Rational]| -> Value { entries.iter().map(|entry| Value::from(self.number(entry))).collect() };
         let key = |name: &str| name.replace([' ', '-'], "_");
         let step = |step: &Step| {
             let mut object = Map::new();
@@ -183,13 +185,12 @@ fn moments_steps(document: &Identification, moments: &Moments) -> Result<Steps, 
         };
         let mean = document.column("moments.adaptive_filter.mean", &start.mean, p)?;
         let covariance = document.covariance("moments.adaptive_filter.covariance", &start.covariance, p)?;
-        const START: &str = "moments.adaptive_filter";
         let numbers = rows_and_start(&series, &mean, &covariance);
-        effort.admits_lengths(START, n, p, numbers)?;
+        effort.admits_lengths(ADAPTIVE_START, n, p, numbers)?;
         let records = match adaptive_filter(&series, reading, &Belief { mean, covariance }, repair) {
             Ok(records) => records,
             Err(error) => {
-                stopped = Some(format!("{START}: {error}"));
+                stopped = Some(format!("{ADAPTIVE_START}: {error}"));
                 steps.retain(|step| matches!(step.place, Place::Count(n) if n < error.step));
                 error.computed
             }

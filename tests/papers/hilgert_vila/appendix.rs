@@ -77,7 +77,7 @@ fn the_exponent_holds_every_moment() {
     assert_ne!(mixed, moments(&mixed[1], &mixed[2]));
 }
 
-/// Erratum HV-L2i: A(Z)X + b(Z). B is the matrix of an input elsewhere; with an input of two components and one state the right
+/// HV-L2i: A(Z)X + b(Z). B is the matrix of an input elsewhere; with an input of two components and one state the right
 /// form gives the Gaussian of the stacked equations, the printed one a sum of a 1×1 and a 1×2 matrix.
 ///
 /// HV-L2i fails where A depends on X: A = X makes X², whose third central moment is 8 and not 0.

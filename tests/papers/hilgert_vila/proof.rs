@@ -230,7 +230,7 @@ fn a_state_without_a_mean_has_a_conditional_one() {
     assert!(ratio(6, 25) * ratio(165, 100) * ratio(251, 100) < ratio(1, 1));
 }
 
-/// Erratum HV-T1: the induction starts at k = 0. With all scalars 1, x(1) ~ N(0, 1) given y(0), the text under its first
+/// HV-T1: the induction starts at k = 0. With all scalars 1, x(1) ~ N(0, 1) given y(0), the text under its first
 /// case stacks (x(2), y(1)) with the variance 2 of x(2): right for what is given at k = 0, Y(0); at k = 1, as printed, y(1) is
 /// known, and that variance is 0.
 #[test]
