@@ -104,8 +104,9 @@ impl<S: Field> Belief<S> {
 /// AK-2.3-start: `P̂(0) is any positive semidefinite matrix`
 ///
 /// There are no estimates before k = 3, so `start` is x̂(2|2) and P̂(2). Â(k) has a rank of at most k − 2, so V̂(k) and
-/// Ŵ(k) cannot be there before k = p + 2: under [`Repair::Keep`], `start` is x̂(p+1|p+1) and P̂(p+1). V̂(k) and Ŵ(k) may be no covariances, or, where
-/// Â(k) is singular, not be there: `repair` says what is done then, for each of the two on its own.
+/// Ŵ(k) cannot be there before k = p + 2: under [`Repair::Keep`], `start` is x̂(p+1|p+1) and P̂(p+1). V̂(k) and Ŵ(k) may be
+/// no covariances, or, where Â(k) is singular, not be there: `repair` says what is done then, for each of the two on its
+/// own.
 ///
 /// Shapes: `start` p×1 and p×p. The covariance is not checked: indefinite in, indefinite out.
 ///
@@ -149,7 +150,7 @@ pub fn adaptive_filter<S: OrderedField + std::fmt::Display>(
     let (mut belief, mut records) = (start.clone(), Vec::with_capacity(all.len()));
     // The rank of Â(k) is at most k − 2: before p + 2 there is no V̂(k) to keep.
     let first = if repair == Repair::Keep { p + 2 } else { 3 };
-    for estimates in all.into_iter().skip(first - 3) {
+    for estimates in all.into_iter().skip(first.saturating_sub(3)) {
         let step = estimates.count;
         let y = &series.readings()[step - 1];
         let advanced = repairs.model(estimates).and_then(|(model, process_repaired, observation_repaired)| {

@@ -82,7 +82,7 @@ mod tests {
         for case in
             suite().iter().filter(|case| case.expect == Expect::Estimate && !case.flags.contains(&"singular".into()))
         {
-            let mut path = case.problem().and_then(|problem| problem.realised()).unwrap();
+            let mut path = case.problem().and_then(|problem| problem.realised()).expect("a case of the suite");
             // Long enough for several stretches, short enough for fractions in lowest terms.
             path = Path::from_parts(
                 path.timing(),
@@ -90,8 +90,10 @@ mod tests {
                 path.steps().iter().take(19).cloned().collect(),
             );
             let moved = Perturbation::seeded(7, Readings::Moved).of(&path);
-            let (rounded, exact) =
-                (answer(&moved, None), filter_fraction_free(&moved, Precision::Rounded { bits: 400 }).unwrap());
+            let (rounded, exact) = (
+                answer(&moved, None),
+                filter_fraction_free(&moved, Precision::Rounded { bits: 400 }).expect("data as a model makes them"),
+            );
             assert_eq!(rounded.len(), exact.len(), "{}", case.id);
             for (step, (rounded, exact)) in rounded.iter().zip(&exact).enumerate() {
                 assert_eq!(rounded.innovation_rank, exact.innovation_rank, "{} at step {step}", case.id);

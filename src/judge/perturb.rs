@@ -208,7 +208,7 @@ mod tests {
     }
 
     fn moved(rows: &[Vec<Rational>], seed: u64) -> (Matrix<Rational>, Matrix<Rational>) {
-        let matrix = Matrix::from_rows(rows.to_vec()).unwrap();
+        let matrix = Matrix::from_rows(rows.to_vec()).expect("rows of one length");
         let moved = Perturbation::seeded(seed, Readings::Moved).covariance(&matrix);
         (matrix, moved)
     }
@@ -225,10 +225,10 @@ mod tests {
         (0..=n)
             .rev()
             .find(|&size| {
-                let size = u32::try_from(size).unwrap();
+                let size = u32::try_from(size).expect("a small size");
                 subsets(size).any(|set| minor(&matrix.select(&members(set), &members(set))) != ratio(0, 1))
             })
-            .unwrap()
+            .expect("the empty minor is one")
     }
 
     /// The determinant, by expansion.
@@ -303,8 +303,11 @@ mod tests {
                 let n = matrix.rows();
                 for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
                     let error = moved[(i, j)].minus(&matrix[(i, j)]);
-                    let unit =
-                        matrix[(i, i)].times(&matrix[(j, j)]).times(&ratio(16, 1)).over(&ratio(1 << 53, 1)).unwrap();
+                    let unit = matrix[(i, i)]
+                        .times(&matrix[(j, j)])
+                        .times(&ratio(16, 1))
+                        .over(&ratio(1 << 53, 1))
+                        .expect("no division by zero");
                     assert!(error.times(&error) <= unit.times(&ratio(1, 1 << 53)), "{matrix} to {moved}");
                 }
             }
@@ -321,7 +324,7 @@ mod tests {
     #[test]
     fn equal_rows_and_equal_matrices_stay_equal() {
         let rows = [[1, 2], [3, 0], [1, 2]].map(|row| row.map(|entry| ratio(entry, 1)).to_vec());
-        let matrix = Matrix::from_rows(rows.to_vec()).unwrap();
+        let matrix = Matrix::from_rows(rows.to_vec()).expect("rows of one length");
         let mut perturbation = Perturbation::seeded(5, Readings::Moved);
         let moved = perturbation.once(Kind::Observation, &matrix, Perturbation::rows);
         assert_eq!(moved.row(0), moved.row(2));
@@ -336,7 +339,7 @@ mod tests {
     #[test]
     fn every_datum_of_every_case_is_moved() {
         for case in suite().iter().filter(|case| case.expect != Expect::Refuse) {
-            let path = case.problem().and_then(|problem| problem.realised()).unwrap();
+            let path = case.problem().and_then(|problem| problem.realised()).expect("a case of the suite");
             let moved = Perturbation::seeded(1, Readings::Moved).of(&path);
             let all = |before: &Matrix<Rational>, after: &Matrix<Rational>| {
                 let mut pairs = before.entries().iter().zip(after.entries());

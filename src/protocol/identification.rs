@@ -62,13 +62,13 @@ pub struct Moments {
     pub adaptive_filter: Option<AdaptiveStart>,
 }
 
-/// The start of the adaptive filter, after y(2).
+/// The start of the adaptive filter: after y(2), or after y(p+1) where estimates are kept as they are.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AdaptiveStart {
     /// x̂(2|2).
     pub mean: Vec<Datum>,
-    /// P̂(2).
+    /// P̂ at that time.
     pub covariance: Vec<Vec<Datum>>,
     /// What stands for an estimated covariance that is none.
     #[serde(default)]

@@ -30,11 +30,11 @@ fn prediction_ends_with_the_lists() {
     // How many laws there are after the last reading, for lists of two entries and more.
     for (timing, numbers) in [(Timing::Departing, [1, 2, 3]), (Timing::Arriving, [0, 1, 2])] {
         for (more, number) in numbers.into_iter().enumerate() {
-            let path = listed(timing, 2 + more).realised_ahead(&data, steps(3)).unwrap();
-            let trace = predict_ahead(&path).unwrap();
+            let path = listed(timing, 2 + more).realised_ahead(&data, steps(3)).expect("a valid system");
+            let trace = predict_ahead(&path).expect("regular innovations");
             let lengths = [&trace.start, &trace.steps[0].ahead, &trace.steps[1].ahead].map(Vec::len);
             assert_eq!(lengths, [3.min(number + 2), 3.min(number + 1), number], "{timing:?}");
-            let laws = one_shot_ahead(&path).unwrap();
+            let laws = one_shot_ahead(&path).expect("regular innovations");
             assert_eq!(laws.iter().map(Vec::len).collect::<Vec<_>>(), lengths);
             let moments = trace.steps[1].ahead.iter().map(|law| (&law.mean, &law.covariance));
             assert!(moments.eq(laws[2].iter().map(|law| (law.mean(), law.covariance()))));
@@ -47,7 +47,7 @@ fn prediction_ends_with_the_lists() {
         let mut longer = listed(timing, 2 + beyond);
         let Coefficient::PerStep(values) = &mut longer.transition else { panic!("a list") };
         values.push(Some(Matrix::zeros(2, 3)));
-        let reached = listed(timing, 2 + beyond).realised_ahead(&data, steps(3)).unwrap();
+        let reached = listed(timing, 2 + beyond).realised_ahead(&data, steps(3)).expect("a valid system");
         assert_eq!(longer.realised_ahead(&data, steps(3)).unwrap(), reached);
         assert_eq!(
             longer.realised(&data).unwrap(),
@@ -62,7 +62,7 @@ fn prediction_ends_with_the_lists() {
     let mut broken = listed(Timing::Departing, 4);
     let entry = || Some(Matrix::<Rational>::identity(1));
     broken.transition = Coefficient::PerStep(vec![entry(), None, entry(), entry()]);
-    let path = broken.realised_ahead(&data, steps(3)).unwrap();
+    let path = broken.realised_ahead(&data, steps(3)).expect("a valid system");
     assert_eq!((predict_ahead(&path).unwrap().steps[1].ahead.len(), path.beyond().len()), (0, 0));
     assert_eq!(one_shot_ahead(&path).unwrap().iter().map(Vec::len).collect::<Vec<_>>(), [2, 1, 0]);
 }

@@ -334,3 +334,31 @@ fn regressors_of_two_lags_by_hand() {
         assert_eq!(record.filtered.covariance, posterior);
     }
 }
+
+/// AK-2.3a, AK-B.hat: estimates kept as they are, for two components: the filter begins at y(4), as Â(3) has rank one, and each
+/// step is that of the formulas with V̂ and Ŵ computed here from the residuals.
+#[test]
+fn kept_estimates_begin_where_there_are_some() {
+    let data = [[3, 1], [1, -2], [2, 2], [-1, 3], [1, 1], [3, -1], [-2, 2]].map(Vec::from);
+    let series = series(&data);
+    let start = Belief { mean: Matrix::zeros(2, 1), covariance: Matrix::identity(2) };
+    assert_eq!(transition(&series, 3).rank(), 1);
+    let records =
+        adaptive_filter(&series, Reading::Last, &start, Repair::Keep).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(records.iter().map(|record| record.step).collect::<Vec<_>>(), [4, 5, 6, 7]);
+    let inverse = |matrix: &Q| matrix.inverse().unwrap_or_else(|error| panic!("{error}"));
+    let (mut mean, mut p) = (start.mean, start.covariance);
+    for record in &records {
+        let a = transition(&series, record.step);
+        let b1 = residual_covariance(&series, record.step, 1, |_| a.clone());
+        let b2 = residual_covariance(&series, record.step, 2, |_| &a * &a);
+        let w = (&b1 + inverse(&a).congruence(&(&b1 - &b2))).scaled(&ratio(1, 2));
+        let v = &b1 - &w - a.congruence(&w);
+        let s = a.congruence(&p) + &v;
+        let gain = &s * inverse(&(&s + &w));
+        mean = &a * &mean + &gain * (&series.readings()[record.step - 1] - &a * &mean);
+        p = &s - &gain * &s;
+        assert_eq!((&record.belief.mean, &record.belief.covariance), (&mean, &p));
+        assert!(!record.process_repaired && !record.observation_repaired);
+    }
+}

@@ -35,6 +35,7 @@ fn schema_and_reader_agree() {
         for (pointer, other, expected) in [
             ("/initial_law/0/weight", json!(0.5), false),
             ("/initial_law/0/weight", json!("not a number"), true),
+            ("/initial_law", json!([]), false),
             ("/initial_law/0/mean", json!("1"), false),
             ("/initial_law/0", json!({"weight": "1"}), false),
             ("/initial_law/0", json!({"weight": "1", "mean": ["1"], "covariance": null}), false),

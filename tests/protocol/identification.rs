@@ -50,6 +50,14 @@ fn schema_and_reader_agree() {
     }
 }
 
+/// A document has exactly one of the two methods.
+#[test]
+fn one_method_is_asked_for() {
+    let both = with(moments(), "/least_squares", least_squares()["least_squares"].clone());
+    agree(&both, false);
+    agree(&json!({"format": "exact-kalman/identification/1"}), false);
+}
+
 /// A JSON number means its decimal text, with all its digits.
 #[test]
 fn numbers_keep_their_digits() {

@@ -42,6 +42,10 @@ pub(crate) fn valid(root: &Value, schema: &Value, value: &Value) -> bool {
         }),
         "items" => value.as_array().is_none_or(|list| list.iter().all(|item| valid(root, rule, item))),
         "anyOf" => rule.as_array().expect("a list").iter().any(|rule| valid(root, rule, value)),
+        "oneOf" => {
+            rule.as_array().expect("a list").iter().filter(|rule| valid(root, rule, value)).count() == 1
+        }
+        "minItems" => value.as_array().is_none_or(|list| list.len() as u64 >= rule.as_u64().expect("a length")),
         "$ref" => {
             let pointer = rule.as_str().and_then(|text| text.strip_prefix('#')).expect("a local reference");
             valid(root, root.pointer(pointer).expect("the definition"), value)
