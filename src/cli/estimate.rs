@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input;
+use super::numbers::{Numbers, laid_out};
 use crate::matrix::Matrix;
 use crate::model::Path;
 use crate::nongaussian::{
@@ -25,8 +26,9 @@ Examples:
   exact-kalman estimate examples/estimate/coin.json --price             what the affine one loses
   exact-kalman estimate examples/estimate/slab.json --format json
 
-Every digit is proved: irrational numbers are enclosed until both ends round alike. Exit codes:
-0 all estimated, 2 the file is refused, with the place and the reason, or other trouble";
+Every digit is proved: irrational numbers are enclosed until both ends round alike. With --exact
+they are decimals followed by `…`. Exit codes: 0 all estimated, 2 the file is refused, with the
+place and the reason, or other trouble";
 
 /// Print best and best affine predictions of the next state, for a start that is a mixture of Gaussian laws
 #[derive(clap::Args, Debug)]
@@ -34,12 +36,8 @@ Every digit is proved: irrational numbers are enclosed until both ends round ali
 pub(super) struct Estimate {
     /// A file as described in docs/ESTIMATE.md, or `-` for standard input.
     file: PathBuf,
-    /// Significant decimal digits, correctly rounded (halves away from zero).
-    #[arg(long, default_value_t = 17, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    digits: u32,
-    /// Print fractions, where the numbers are some; the others as decimals, with `…`.
-    #[arg(long, conflicts_with = "digits")]
-    exact: bool,
+    #[command(flatten)]
+    numbers: Numbers,
     /// Only the last step.
     #[arg(long)]
     last: bool,
@@ -82,7 +80,7 @@ impl Estimate {
                 Format::Text => {
                     writeln!(out, "{} · after step {}", case.id, t - 1)?;
                     for (name, _, matrix) in &shown {
-                        writeln!(out, "  {name:36} {}", text_of(matrix))?;
+                        writeln!(out, "  {name:36} {}", laid_out(matrix))?;
                     }
                 }
                 Format::Json => steps.push(json_of(t - 1, &shown)),
@@ -103,7 +101,7 @@ impl Estimate {
         let column = |of: &dyn Fn(u64) -> Result<Vec<Enclosed>, TooWide>| -> Result<Shown, TooWide> {
             self.proved(|bits| of(bits).map(Matrix::column))
         };
-        let fractions = |matrix: &Matrix<Rational>| matrix.map(|entry| self.fraction(entry));
+        let fractions = |matrix: &Matrix<Rational>| matrix.map(|entry| self.numbers.text(entry));
         Ok(vec![
             ("best estimate", "mmse", column(&|bits| posterior.mean(bits))?),
             ("best affine estimate", "lmmse", fractions(&linear.estimate)),
@@ -114,14 +112,10 @@ impl Estimate {
         ])
     }
 
-    fn fraction(&self, value: &Rational) -> String {
-        if self.exact { value.to_string() } else { Decimal::rounded(value, self.digits).to_string() }
-    }
-
     /// All entries rounded correctly: with more and more bits, until both ends of each round alike. Irrational numbers are
     /// no ties, so this ends.
     fn proved(&self, of: impl Fn(u64) -> Result<Matrix<Enclosed>, TooWide>) -> Result<Shown, TooWide> {
-        let mut bits = u64::from(self.digits) * 4 + 16;
+        let mut bits = u64::from(self.numbers.digits) * 4 + 16;
         loop {
             let found = of(bits)?;
             if let Ok(texts) = found.try_map(|entry| self.rounded(entry).ok_or(())) {
@@ -133,7 +127,7 @@ impl Estimate {
 
     fn rounded(&self, value: &Enclosed) -> Option<String> {
         let interval = match value {
-            Enclosed::Exact(value) => return Some(self.fraction(value)),
+            Enclosed::Exact(value) => return Some(self.numbers.text(value)),
             Enclosed::Between(interval) => interval,
         };
         let (Some(lower), Some(upper)) = (written(interval.lower()), written(interval.upper())) else {
@@ -142,8 +136,8 @@ impl Estimate {
                 if interval.upper().is_negative() { (">-", interval.lower()) } else { ("<", interval.upper()) };
             return Some(format!("{sign}2^{}", far.magnitude().unwrap_or_default()));
         };
-        let [lower, upper] = [lower, upper].map(|end| Decimal::rounded(&end, self.digits));
-        let mark = if self.exact { "…" } else { "" };
+        let [lower, upper] = [lower, upper].map(|end| Decimal::rounded(&end, self.numbers.digits));
+        let mark = if self.numbers.exact { "…" } else { "" };
         (lower == upper).then(|| format!("{lower}{mark}"))
     }
 }
@@ -213,15 +207,6 @@ fn price(found: Result<Enclosed, PriceError>) -> String {
     let rounded = |digits| [&lower, &upper].map(|end| Decimal::rounded(end, digits));
     let proved = (1..=10).rev().map(rounded).find(|[lower, upper]| lower == upper);
     proved.map_or_else(|| format!("from {lower} to {upper}"), |[digits, _]| digits.to_string())
-}
-
-/// A number, a column as `[a, b]`, or a matrix as `[[a, b], [c, d]]`.
-fn text_of(matrix: &Shown) -> String {
-    match (matrix.rows(), matrix.columns()) {
-        (1, 1) => matrix[(0, 0)].clone(),
-        (_, 1) => format!("[{}]", matrix.entries().join(", ")),
-        _ => matrix.to_string(),
-    }
 }
 
 fn json_of(step: usize, shown: &[(&'static str, &'static str, Shown)]) -> Value {

@@ -9,13 +9,14 @@ use super::Format;
 use super::effort::Effort;
 use super::exit::{Exit, Trouble};
 use super::input;
+use super::numbers::{Numbers, laid_out};
 use crate::filter::filter;
 use crate::identify::{
     AdaptiveRecord, Belief, Estimates, History, Regression, Series, SeriesError, adaptive_filter, estimates,
 };
 use crate::matrix::Matrix;
 use crate::model::{Observation, Reading, Repair};
-use crate::protocol::{Decimal, Identification, IdentificationError, LeastSquares, Moments, RepairName, ResidualsName};
+use crate::protocol::{Identification, IdentificationError, LeastSquares, Moments, RepairName, ResidualsName};
 use crate::scalar::Rational;
 
 const EXAMPLES: &str = "\
@@ -38,12 +39,8 @@ const ADAPTIVE_START: &str = "moments.adaptive_filter";
 pub(super) struct Identify {
     /// A file with one document, or `-` for standard input.
     file: PathBuf,
-    /// Significant decimal digits, correctly rounded (halves away from zero).
-    #[arg(long, default_value_t = 17, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    digits: u32,
-    /// Print fractions instead of decimals.
-    #[arg(long, conflicts_with = "digits")]
-    exact: bool,
+    #[command(flatten)]
+    numbers: Numbers,
     /// Only the last step.
     #[arg(long)]
     last: bool,
@@ -100,7 +97,7 @@ impl Identify {
                         Place::Output(k) => writeln!(out, "output {k}")?,
                     }
                     for (name, matrix) in &step.values {
-                        writeln!(out, "  {name:24} {}", self.text(matrix))?;
+                        writeln!(out, "  {name:24} {}", laid_out(&matrix.map(|entry| self.numbers.text(entry))))?;
                     }
                 }
             }
@@ -115,23 +112,10 @@ impl Identify {
         }
     }
 
-    fn number(&self, value: &Rational) -> String {
-        if self.exact { value.to_string() } else { Decimal::rounded(value, self.digits).to_string() }
-    }
-
-    /// A number, a column as `[a, b]`, or a matrix as `[[a, b], [c, d]]`.
-    fn text(&self, matrix: &Matrix<Rational>) -> String {
-        let texts = matrix.map(|entry| self.number(entry));
-        match (texts.rows(), texts.columns()) {
-            (1, 1) => texts[(0, 0)].clone(),
-            (_, 1) => format!("[{}]", texts.entries().join(", ")),
-            _ => texts.to_string(),
-        }
-    }
-
     fn json(&self, steps: &[Step], stopped: Option<&str>) -> Value {
-        let list =
-            |entries: &[Rational]| -> Value { entries.iter().map(|entry| Value::from(self.number(entry))).collect() };
+        let list = |entries: &[Rational]| -> Value {
+            entries.iter().map(|entry| Value::from(self.numbers.text(entry))).collect()
+        };
         let key = |name: &str| name.replace([' ', '-'], "_");
         let step = |step: &Step| {
             let mut object = Map::new();

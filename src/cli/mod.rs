@@ -10,6 +10,7 @@ mod exit;
 mod identify;
 mod input;
 mod judge;
+mod numbers;
 mod reproduce;
 mod shown;
 mod solve;

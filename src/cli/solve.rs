@@ -7,8 +7,8 @@ use std::path::PathBuf;
 use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input;
+use super::numbers::{Numbers, laid_out};
 use super::shown::{Shown, Stopped, named_ahead, predicted, solved, traced};
-use crate::matrix::Matrix;
 use crate::protocol::{Answer, AnswerNumber, Case, CaseError, Decimal, LawAhead, Outcome};
 use crate::scalar::Rational;
 use crate::trace::{Moments, Values};
@@ -31,12 +31,8 @@ codes: 0 all answered, 1 some data contradict their model, 2 some case refused, 
 pub(super) struct Solve {
     /// A case file (one case, or one on each line), a directory of such files, or `-` for standard input.
     case: PathBuf,
-    /// Significant decimal digits, correctly rounded (halves away from zero).
-    #[arg(long, default_value_t = 17, value_parser = clap::value_parser!(u32).range(1..=10_000))]
-    digits: u32,
-    /// Print fractions instead of decimals.
-    #[arg(long, conflicts_with = "digits")]
-    exact: bool,
+    #[command(flatten)]
+    numbers: Numbers,
     /// Only the last step (of text).
     #[arg(long)]
     last: bool,
@@ -108,10 +104,6 @@ impl Solve {
         })
     }
 
-    fn number(&self, value: &Rational) -> String {
-        if self.exact { value.to_string() } else { Decimal::rounded(value, self.digits).to_string() }
-    }
-
     fn write_text(&self, out: &mut impl Write, case: &Case, steps: &[Shown]) -> Result<(), Trouble> {
         let first = if self.last { steps.len().saturating_sub(1) } else { 0 };
         for (step, shown) in steps.iter().enumerate().skip(first) {
@@ -124,27 +116,17 @@ impl Solve {
                 writeln!(out, "  (the start is diffuse, and not yet resolved)")?;
             }
             for (name, matrix) in all {
-                writeln!(out, "  {name:36} {}", self.text(matrix))?;
+                writeln!(out, "  {name:36} {}", laid_out(&matrix.map(|entry| self.numbers.text(entry))))?;
             }
         }
         Ok(())
     }
 
-    /// A number, a column as `[a, b]`, or a matrix as `[[a, b], [c, d]]`.
-    fn text(&self, matrix: &Matrix<Rational>) -> String {
-        let texts = matrix.map(|entry| self.number(entry));
-        match (texts.rows(), texts.columns()) {
-            (1, 1) => texts[(0, 0)].clone(),
-            (_, 1) => format!("[{}]", texts.entries().join(", ")),
-            _ => texts.to_string(),
-        }
-    }
-
     fn answer(&self, case: &Case, steps: &[Shown], stopped: Option<Stopped>) -> String {
-        if self.exact {
+        if self.numbers.exact {
             return answer_line(case, steps, stopped, Rational::clone);
         }
-        answer_line(case, steps, stopped, |value| Decimal::rounded(value, self.digits))
+        answer_line(case, steps, stopped, |value| Decimal::rounded(value, self.numbers.digits))
     }
 }
 
