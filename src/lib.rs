@@ -21,6 +21,7 @@
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
 //! | 4 | [`identify`] | systems from data: estimates of A, V, W, the adaptive filter, least squares |
 //! | 4 | [`nongaussian`] | prediction from a start that is not Gaussian |
+//! | 4 | [`stability`] | random Riccati equations: observability, moments, rates, with certificates |
 //! | 5 | `reproduce` | the papers' tables and figures, simulated again (feature `judge`) |
 //! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |
 //! | 6 | [`spec`] | the specification, and its entries as data |
@@ -78,6 +79,7 @@ pub mod report;
 pub mod reproduce;
 pub mod riccati;
 pub mod scalar;
+pub mod stability;
 pub mod trace;
 
 #[doc = include_str!("../SPEC.md")]

@@ -3,7 +3,7 @@
 use crate::imports::rooms_named;
 
 /// The floor of each room, those that are planned included.
-const FLOORS: [(&str, u32); 19] = [
+const FLOORS: [(&str, u32); 20] = [
     ("scalar", 0),
     ("matrix", 1),
     ("gaussian", 2),
@@ -17,6 +17,7 @@ const FLOORS: [(&str, u32); 19] = [
     ("certify", 4),
     ("nongaussian", 4),
     ("identify", 4),
+    ("stability", 4),
     ("reproduce", 5),
     ("judge", 5),
     ("report", 6),

@@ -5,6 +5,8 @@ mod anderson_riccati;
 #[cfg(feature = "judge")]
 mod bioreactor;
 mod chen;
+mod dice;
 mod hilgert_vila;
 mod nile;
 mod sowers;
+mod wang;
