@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_integer::Integer as _;
 
 use crate::model::Reading;
-use crate::protocol::IdentificationError;
+use crate::protocol::InputError;
 use crate::scalar::Rational;
 
 /// The largest work of a method that is begun: some seconds (in release mode), by measurement.
@@ -45,16 +45,16 @@ impl Effort {
     }
 
     /// Whether so many data of this order are few enough.
-    pub(super) fn admits_count(self, path: &str, n: usize, p: usize) -> Result<(), IdentificationError> {
+    pub(super) fn admits_count(self, path: &str, n: usize, p: usize) -> Result<(), InputError> {
         let Self { data, order, count, power, hint: _, .. } = self;
         if p > order {
             let what = if data == "outputs" { "coefficients; take fewer lags" } else { "components; leave some out" };
-            return Err(IdentificationError::at(path, format!("the order {p} is too large: at most {order} {what}")));
+            return Err(InputError::at(path, format!("the order {p} is too large: at most {order} {what}")));
         }
         let most = count / p.max(1).pow(power);
         if n > most {
             let message = format!("{n} {data} are too many: at most {most} are taken with the order {p}; take fewer");
-            return Err(IdentificationError::at(path, message));
+            return Err(InputError::at(path, message));
         }
         Ok(())
     }
@@ -67,7 +67,7 @@ impl Effort {
         n: usize,
         p: usize,
         numbers: impl IntoIterator<Item = &'a Rational>,
-    ) -> Result<(), IdentificationError> {
+    ) -> Result<(), InputError> {
         let Self { data, power, sums, work, hint, .. } = self;
         let exponents = (i32::try_from(power).unwrap_or(3), i32::try_from(sums).unwrap_or(2));
         let (steps, order) = (n.max(1) as f64, p.max(1) as f64);
@@ -80,7 +80,7 @@ impl Effort {
                     "the numbers are too long for {n} {data} of order {p}: written over their common denominator they have \
                      {bits} bits or more, and at most {most:.0} are taken; take fewer {data}, or shorter numbers{hint}"
                 );
-                Err(IdentificationError::at(path, message))
+                Err(InputError::at(path, message))
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::io;
 use std::process::ExitCode;
 
-use crate::protocol::{CaseError, IdentificationError};
+use crate::protocol::{CaseError, InputError};
 use crate::report::Report;
 
 /// The exit codes.
@@ -47,7 +47,7 @@ pub(super) enum Trouble {
     #[error("{place}: {source}")]
     Case { place: String, source: CaseError },
     #[error("{place}: {source}")]
-    Identification { place: String, source: IdentificationError },
+    Question { place: String, source: InputError },
     #[error("{place}: {message}")]
     Other { place: String, message: String },
     #[error("cannot write: {0}")]

@@ -16,7 +16,7 @@ use crate::identify::{
 };
 use crate::matrix::Matrix;
 use crate::model::{Observation, Reading, Repair};
-use crate::protocol::{Identification, IdentificationError, LeastSquares, Moments, RepairName, ResidualsName};
+use crate::protocol::{Identification, InputError, LeastSquares, Moments, RepairName, ResidualsName};
 use crate::scalar::Rational;
 
 const EXAMPLES: &str = "\
@@ -77,7 +77,7 @@ impl Identify {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
         let place = self.file.display().to_string();
         let text = input::text(&self.file)?;
-        let refused = |source| Trouble::Identification { place: place.clone(), source };
+        let refused = |source| Trouble::Question { place: place.clone(), source };
         let document = Identification::parse(text.strip_prefix('\u{feff}').unwrap_or(&text)).map_err(refused)?;
         let steps = match (&document.moments, &document.least_squares) {
             (Some(moments), _) => moments_steps(&document, moments),
@@ -142,7 +142,7 @@ impl Identify {
     }
 }
 
-fn moments_steps(document: &Identification, moments: &Moments) -> Result<Steps, IdentificationError> {
+fn moments_steps(document: &Identification, moments: &Moments) -> Result<Steps, InputError> {
     const PATH: &str = "moments.readings";
     let reading = match moments.residuals {
         ResidualsName::Printed => Reading::Printed,
@@ -152,13 +152,13 @@ fn moments_steps(document: &Identification, moments: &Moments) -> Result<Steps, 
     let (n, p) = (moments.readings.len(), moments.readings.first().map_or(0, Vec::len));
     let effort = Effort::of_moments(reading, moments.adaptive_filter.is_some());
     effort.admits_count(PATH, n, p)?;
-    let rows = document.rows(PATH, &moments.readings)?;
+    let rows = document.numbers.rows(PATH, &moments.readings)?;
     effort.admits_lengths(PATH, n, p, rows.iter().flatten())?;
     let series = Series::new(rows).map_err(|error| match error {
-        SeriesError::Ragged { index, .. } => IdentificationError::at(format!("{PATH}[{index}]"), error.to_string()),
-        other => IdentificationError::at(PATH, other.to_string()),
+        SeriesError::Ragged { index, .. } => InputError::at(format!("{PATH}[{index}]"), error.to_string()),
+        other => InputError::at(PATH, other.to_string()),
     })?;
-    let all = estimates(&series, reading).map_err(|error| IdentificationError::at(PATH, error.to_string()))?;
+    let all = estimates(&series, reading).map_err(|error| InputError::at(PATH, error.to_string()))?;
     let mut steps: Vec<Step> = all.iter().map(estimated).collect();
     let mut stopped = None;
     if let Some(start) = &moments.adaptive_filter {
@@ -167,8 +167,8 @@ fn moments_steps(document: &Identification, moments: &Moments) -> Result<Steps, 
             RepairName::Zero => Repair::Zero,
             RepairName::LastSemidefinite => Repair::LastSemidefinite,
         };
-        let mean = document.column("moments.adaptive_filter.mean", &start.mean, p)?;
-        let covariance = document.covariance("moments.adaptive_filter.covariance", &start.covariance, p)?;
+        let mean = document.numbers.column("moments.adaptive_filter.mean", &start.mean, p)?;
+        let covariance = document.numbers.covariance("moments.adaptive_filter.covariance", &start.covariance, p)?;
         let numbers = rows_and_start(&series, &mean, &covariance);
         effort.admits_lengths(ADAPTIVE_START, n, p, numbers)?;
         let records = match adaptive_filter(&series, reading, &Belief { mean, covariance }, repair) {
@@ -226,17 +226,17 @@ fn adapted(record: AdaptiveRecord<Rational>) -> [(&'static str, Matrix<Rational>
     ]
 }
 
-fn least_squares_steps(document: &Identification, asked: &LeastSquares) -> Result<Steps, IdentificationError> {
+fn least_squares_steps(document: &Identification, asked: &LeastSquares) -> Result<Steps, InputError> {
     let path = |name: &str| format!("least_squares.{name}");
     let count = asked.output_lags.saturating_add(asked.input_lags);
     if count == 0 {
-        return Err(IdentificationError::at(path("output_lags"), "there is no coefficient to learn"));
+        return Err(InputError::at(path("output_lags"), "there is no coefficient to learn"));
     }
     let n = asked.outputs.len();
     let effort = Effort::of_least_squares();
     effort.admits_count(&path("outputs"), n, count)?;
     if n == 0 {
-        return Err(IdentificationError::at(path("outputs"), "there is no output"));
+        return Err(InputError::at(path("outputs"), "there is no output"));
     }
     for (name, given, lags, of) in [
         ("earlier_outputs", asked.earlier_outputs.len(), asked.output_lags, "output_lags"),
@@ -245,37 +245,37 @@ fn least_squares_steps(document: &Identification, asked: &LeastSquares) -> Resul
     ] {
         if given > lags {
             let message = format!("{given} numbers, of which `{of}` of {lags} would use {lags}; leave out the others");
-            return Err(IdentificationError::at(path(name), message));
+            return Err(InputError::at(path(name), message));
         }
     }
     // The last regressor holds u up to n − 2.
     let needed = if asked.input_lags == 0 { 0 } else { n - 1 };
     if asked.inputs.len() < needed || asked.inputs.len() > n {
         let message = format!("{} inputs; from {needed} to {n} are needed for {n} outputs", asked.inputs.len());
-        return Err(IdentificationError::at(path("inputs"), message));
+        return Err(InputError::at(path("inputs"), message));
     }
-    let outputs = document.list(&path("outputs"), &asked.outputs)?;
-    let inputs = document.list(&path("inputs"), &asked.inputs)?;
-    let noise = document.number(&path("noise"), &asked.noise)?;
+    let outputs = document.numbers.list(&path("outputs"), &asked.outputs)?;
+    let inputs = document.numbers.list(&path("inputs"), &asked.inputs)?;
+    let noise = document.numbers.value(&path("noise"), &asked.noise)?;
     if noise < Rational::from_integer(0.into()) {
-        return Err(IdentificationError::at(path("noise"), "a variance is not negative"));
+        return Err(InputError::at(path("noise"), "a variance is not negative"));
     }
     let regression = Regression {
         output_lags: asked.output_lags,
         input_lags: asked.input_lags,
-        mean: document.column(&path("mean"), &asked.mean, count)?,
-        covariance: document.covariance(&path("covariance"), &asked.covariance, count)?,
+        mean: document.numbers.column(&path("mean"), &asked.mean, count)?,
+        covariance: document.numbers.covariance(&path("covariance"), &asked.covariance, count)?,
         noise,
         history: History {
-            outputs: document.list(&path("earlier_outputs"), &asked.earlier_outputs)?,
-            inputs: document.list(&path("earlier_inputs"), &asked.earlier_inputs)?,
+            outputs: document.numbers.list(&path("earlier_outputs"), &asked.earlier_outputs)?,
+            inputs: document.numbers.list(&path("earlier_inputs"), &asked.earlier_inputs)?,
         },
     };
     let start = regression.mean.entries().iter().chain(regression.covariance.entries()).chain([&regression.noise]);
     let history = regression.history.outputs.iter().chain(&regression.history.inputs);
     let numbers = start.chain(history).chain(&outputs).chain(&inputs);
     effort.admits_lengths(&path("outputs"), n, count, numbers)?;
-    let wrong = |error: String| IdentificationError::at(path("outputs"), error);
+    let wrong = |error: String| InputError::at(path("outputs"), error);
     let data: Vec<_> = outputs.into_iter().map(|y| Observation::complete([y])).collect();
     let realised = regression.recorded(inputs).realised(&data).map_err(|error| wrong(error.to_string()))?;
     let (records, stopped) = match filter(&realised) {

@@ -3,6 +3,8 @@
 use serde::de::{Deserialize, DeserializeOwned, Deserializer};
 use serde::ser::Serialize;
 
+use super::InputError;
+
 /// The most bytes a case or an answer may have: 64 MiB.
 pub const MAXIMAL_DOCUMENT_BYTES: usize = 64 << 20;
 
@@ -34,6 +36,14 @@ pub(super) fn parse<T: DeserializeOwned>(text: &str) -> Result<T, DocumentError>
     let rest = |error: serde_json::Error| DocumentError::Wrong { path: String::new(), message: error.to_string() };
     deserializer.end().map_err(rest)?;
     Ok(document)
+}
+
+/// Reads one document that is an object: a derived reader would take a list of its parts as well.
+pub(super) fn parse_object<T: DeserializeOwned>(text: &str) -> Result<T, InputError> {
+    if !text.trim_start().is_empty() && !text.trim_start().starts_with('{') {
+        return Err(InputError::at("", "an object is expected"));
+    }
+    Ok(parse(text)?)
 }
 
 /// The document on one line.

@@ -7,10 +7,8 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, MapAccess, Visitor};
 use serde::{Deserialize, Serialize};
 
-use super::document::{self, DocumentError, MAXIMAL_DOCUMENT_BYTES, located};
-use super::{Datum, NumberError, Numbers};
-use crate::matrix::Matrix;
-use crate::scalar::Rational;
+use super::document;
+use super::{Datum, InputError, Numbers};
 
 /// A question of identification; exactly one of the two methods is there.
 ///
@@ -22,7 +20,7 @@ use crate::scalar::Rational;
 /// let text = r#"{"format": "exact-kalman/identification/1", "numbers": "exact",
 ///     "moments": {"readings": [["1"], [2], ["7/2"]]}}"#;
 /// assert!(Identification::parse(text)?.moments.is_some());
-/// # Ok::<(), exact_kalman::protocol::IdentificationError>(())
+/// # Ok::<(), exact_kalman::protocol::InputError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -130,128 +128,18 @@ pub struct LeastSquares {
     pub earlier_inputs: Vec<Datum>,
 }
 
-/// Why a text is no identification.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum IdentificationError {
-    /// The text is too long.
-    #[error("the document has {bytes} bytes; at most {MAXIMAL_DOCUMENT_BYTES} are read")]
-    TooLong {
-        /// Its length.
-        bytes: usize,
-    },
-    /// The text is not JSON, or not of the form, or its parts do not fit together.
-    #[error("{}", located(path, message))]
-    Document {
-        /// Where; empty for the document itself.
-        path: String,
-        /// What is wrong.
-        message: String,
-    },
-    /// A number has no value.
-    #[error("{path}: {source}")]
-    Number {
-        /// Where.
-        path: String,
-        /// What is wrong.
-        source: NumberError,
-    },
-}
-
-impl IdentificationError {
-    /// What is wrong at a place.
-    pub fn at(path: impl Into<String>, message: impl Into<String>) -> Self {
-        Self::Document { path: path.into(), message: message.into() }
-    }
-}
-
 impl Identification {
     /// Reads one document.
     ///
     /// # Errors
     ///
-    /// [`IdentificationError`] with the place; also if there is not exactly one method.
-    pub fn parse(text: &str) -> Result<Self, IdentificationError> {
-        if !text.trim_start().is_empty() && !text.trim_start().starts_with('{') {
-            return Err(IdentificationError::at("", "an object is expected"));
-        }
-        let document: Self = document::parse(text).map_err(|error| match error {
-            DocumentError::TooLong { bytes } => IdentificationError::TooLong { bytes },
-            DocumentError::Wrong { path, message } => IdentificationError::Document { path, message },
-        })?;
+    /// [`InputError`] with the place; also if there is not exactly one method.
+    pub fn parse(text: &str) -> Result<Self, InputError> {
+        let document: Self = document::parse_object(text)?;
         if document.moments.is_some() == document.least_squares.is_some() {
-            return Err(IdentificationError::at("", "give either `moments` or `least_squares`"));
+            return Err(InputError::at("", "give either `moments` or `least_squares`"));
         }
         Ok(document)
-    }
-
-    /// The value of one number.
-    ///
-    /// # Errors
-    ///
-    /// [`IdentificationError::Number`] with this path.
-    pub fn number(&self, path: &str, datum: &Datum) -> Result<Rational, IdentificationError> {
-        datum.value(self.numbers).map_err(|source| IdentificationError::Number { path: path.to_owned(), source })
-    }
-
-    /// The values of a list.
-    ///
-    /// # Errors
-    ///
-    /// [`IdentificationError::Number`] with the place.
-    pub fn list(&self, path: &str, list: &[Datum]) -> Result<Vec<Rational>, IdentificationError> {
-        list.iter().enumerate().map(|(i, datum)| self.number(&format!("{path}[{i}]"), datum)).collect()
-    }
-
-    /// The values of a list of rows.
-    ///
-    /// # Errors
-    ///
-    /// [`IdentificationError::Number`] with the place.
-    pub fn rows(&self, path: &str, rows: &[Vec<Datum>]) -> Result<Vec<Vec<Rational>>, IdentificationError> {
-        rows.iter().enumerate().map(|(i, row)| self.list(&format!("{path}[{i}]"), row)).collect()
-    }
-
-    /// A column of the given length.
-    ///
-    /// # Errors
-    ///
-    /// [`IdentificationError`] with the place.
-    pub fn column(&self, path: &str, list: &[Datum], n: usize) -> Result<Matrix<Rational>, IdentificationError> {
-        if list.len() != n {
-            return Err(IdentificationError::at(path, format!("{} numbers where {n} are needed", list.len())));
-        }
-        Ok(Matrix::column(self.list(path, list)?))
-    }
-
-    /// A covariance of the given order: symmetric and positive semidefinite.
-    ///
-    /// # Errors
-    ///
-    /// [`IdentificationError`] with the place, and a witness if it is indefinite.
-    pub fn covariance(
-        &self,
-        path: &str,
-        rows: &[Vec<Datum>],
-        n: usize,
-    ) -> Result<Matrix<Rational>, IdentificationError> {
-        if rows.len() != n {
-            return Err(IdentificationError::at(path, format!("{} rows where {n} are needed", rows.len())));
-        }
-        if let Some(row) = rows.iter().position(|row| row.len() != n) {
-            let message = format!("{} numbers where {n} are needed", rows[row].len());
-            return Err(IdentificationError::at(format!("{path}[{row}]"), message));
-        }
-        let values = self.rows(path, rows)?;
-        let matrix = Matrix::from_fn(n, n, |i, j| values[i][j].clone());
-        match matrix.ldl() {
-            Ok(_) => Ok(matrix),
-            Err(crate::matrix::LdlError::Indefinite(proof)) => {
-                let proof = super::witness::described(&matrix, &proof);
-                Err(IdentificationError::at(path, format!("not positive semidefinite: {proof}")))
-            }
-            Err(asymmetric) => Err(IdentificationError::at(path, asymmetric.to_string())),
-        }
     }
 }
 

@@ -23,11 +23,14 @@ mod entry;
 mod estimate_case;
 mod fault;
 mod identification;
+mod input_error;
 mod literal;
 mod number;
 mod pretty;
 mod problem;
+mod stability_model;
 mod subject;
+mod values;
 mod witness;
 
 pub use along::{Along, Matrices, Rows, Vectors};
@@ -41,11 +44,12 @@ pub use document::MAXIMAL_DOCUMENT_BYTES;
 pub use entry::Entry;
 pub use estimate_case::{EstimateCase, EstimateFormat, LawPart};
 pub use identification::{
-    AdaptiveStart, Identification, IdentificationError, IdentificationFormat, LeastSquares, Moments, RepairName,
-    ResidualsName,
+    AdaptiveStart, Identification, IdentificationFormat, LeastSquares, Moments, RepairName, ResidualsName,
 };
+pub use input_error::InputError;
 pub use literal::{MAXIMAL_EXACT_EXPONENT, MAXIMAL_LITERAL_CHARACTERS};
 pub use number::{Number, NumberError, Numbers, shortest_double};
 pub use problem::Problem;
+pub use stability_model::{ChainDocument, ChainMatrices, ModeDocument, ModeMatrices, StabilityFormat, StabilityModel};
 pub use subject::{Limits, Reply, Strays, Subject};
 pub use witness::short_witness;

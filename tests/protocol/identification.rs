@@ -64,6 +64,6 @@ fn numbers_keep_their_digits() {
     let text = moments().to_string().replace("0.25", "0.10000000000000000000000000000001");
     let document = Identification::parse(&text).expect("a document");
     let datum = &document.moments.as_ref().expect("moments").readings[2][0];
-    let value = document.number("there", datum).expect("a number");
+    let value = document.numbers.value("there", datum).expect("a number");
     assert_eq!(value.denom().to_string().len(), 33);
 }

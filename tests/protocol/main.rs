@@ -12,6 +12,7 @@ mod numbers;
 mod page;
 mod samples;
 mod schema;
+mod stability_model;
 #[cfg(target_os = "linux")]
 mod subjects;
 #[cfg(target_os = "linux")]
