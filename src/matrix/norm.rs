@@ -1,4 +1,4 @@
-//! The Euclidean norm of vectors and matrices: its square, since roots leave the field.
+//! The Euclidean norm of vectors and matrices: its square, since roots leave the field; and the trace.
 
 use super::Matrix;
 use crate::scalar::Scalar;
@@ -19,5 +19,15 @@ impl<S: Scalar> Matrix<S> {
     /// ```
     pub fn squared_norm(&self) -> S {
         self.entries().iter().fold(S::zero(), |sum, entry| sum.plus(&entry.times(entry)))
+    }
+
+    /// The sum of the diagonal entries.
+    ///
+    /// # Panics
+    ///
+    /// If the matrix is not square.
+    pub fn trace(&self) -> S {
+        assert!(self.is_square(), "a {} matrix has no trace", self.shape());
+        (0..self.rows()).fold(S::zero(), |sum, i| sum.plus(&self[(i, i)]))
     }
 }
