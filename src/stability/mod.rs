@@ -2,16 +2,32 @@
 //!
 //! * [`Mode`] is what the coefficients are at one time: F, H, Q and R. One step of the equation is [`Mode::step`].
 //! * [`ModeProcess`] says how modes follow each other: independent, or a Markov chain, with finitely many modes.
+//! * Along one path: [`gramian`], the [`Observer`], products of the closed loop ([`ClosedLoopBound`]), the size of the gain
+//!   ([`Mode::gain_bounds`]), a filter with wrong noise ([`error_covariances`]).
 //!
 //! Holds no simulation.
 //!
 //! Paper: Wang, Guo 1999. Its index k is ours; where its window of observations is i = k+1, …, k+h, ours is
 //! i = k, …, k+h−1 (SPEC.md says why).
 
+mod bracket;
+mod closed_loop;
 mod equation;
+mod gain;
+mod gramian;
+mod misspecified;
 mod mode;
+mod observer;
 mod process;
+mod transition_matrix;
 
+pub use bracket::Bracket;
+pub use closed_loop::{ClosedLoopBound, ClosedLoopError, Factor, riccati_path};
 pub use equation::RiccatiStep;
+pub use gain::{GainBounds, GainError};
+pub use gramian::{Unseen, Window, excites, gramian};
+pub use misspecified::{ErrorCovariances, Misspecified, OtherSystem, error_covariances};
 pub use mode::{Mode, ModeError, Part};
+pub use observer::{ErrorMap, Observer, ObserverError};
 pub use process::{ModeProcess, ProcessError};
+pub use transition_matrix::{SingularTransition, inverse_transition_matrix, transition_matrix};
