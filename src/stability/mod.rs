@@ -4,6 +4,8 @@
 //! * [`ModeProcess`] says how modes follow each other: independent, or a Markov chain, with finitely many modes.
 //!   Its law of P(k) is a [`CovarianceLaw`]; whether it is observable is decided by [`ModeProcess::smallest_window`], and
 //!   [`ModeProcess::uniform_bound`] bounds P(k) on every path.
+//! * Along one path: [`gramian`], the [`Observer`], products of the closed loop ([`ClosedLoopBound`]), the size of the gain
+//!   ([`Mode::gain_bounds`]), a filter with wrong noise ([`error_covariances`]).
 //!
 //! Holds no simulation.
 //!
@@ -11,20 +13,36 @@
 //! i = k, …, k+h−1 (SPEC.md says why).
 
 mod bound;
+mod bracket;
+mod closed_loop;
 mod equation;
 mod expectation;
+mod gain;
+mod gramian;
 mod margin;
+mod misspecified;
 mod mode;
 mod observability;
+mod observer;
 mod process;
 mod subspace;
+mod transition_matrix;
 mod unobservable;
+mod window;
 
 pub use bound::{BoundError, UniformBound, WindowBound};
+pub use bracket::Bracket;
+pub use closed_loop::{ClosedLoopBound, ClosedLoopError, Factor, riccati_path};
 pub use equation::RiccatiStep;
 pub use expectation::{CovarianceLaw, CovarianceState, StartError, TooManyStates};
+pub use gain::{GainBounds, GainError};
+pub use gramian::{Unseen, excites, gramian};
 pub use margin::MarginError;
+pub use misspecified::{ErrorCovariances, Misspecified, OtherSystem, error_covariances};
 pub use mode::{Mode, ModeError, Part};
-pub use observability::{Observability, SmallestWindow, Start, TooManySubspaces, Window};
+pub use observability::{Observability, SmallestWindow, Start, TooManySubspaces};
+pub use observer::{ErrorMap, Observer, ObserverError};
 pub use process::{ModeProcess, ProcessError};
+pub use transition_matrix::{SingularTransition, inverse_transition_matrix, transition_matrix};
 pub use unobservable::{UnobservableLoop, UnobservablePath};
+pub use window::Window;

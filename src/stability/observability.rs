@@ -1,17 +1,8 @@
 //! Stochastic observability, decided.
 
 use super::subspace::Subspace;
-use super::{ModeProcess, UnobservableLoop, UnobservablePath};
+use super::{ModeProcess, UnobservableLoop, UnobservablePath, Window};
 use crate::scalar::OrderedField;
-
-/// Which observations belong to the window of h steps at k.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Window {
-    /// i = k, …, k+h−1: what the filter knows when it states P(k+h).
-    Shifted,
-    /// i = k+1, …, k+h, as printed: one that the filter does not know yet, and one that it does left out.
-    Printed,
-}
 
 /// Whether A1 holds with a given h.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -39,7 +39,7 @@ impl<S: OrderedField> UnobservablePath<S> {
         let mut carried = self.vector.clone();
         let unseen = self.modes.iter().enumerate().all(|(place, &mode)| {
             let mode = &process.modes()[mode];
-            let unseen = self.window.skips(place) || (mode.observation() * &carried).is_zero();
+            let unseen = place < self.window.skipped() || (mode.observation() * &carried).is_zero();
             carried = mode.transition() * &carried;
             unseen
         });
@@ -57,7 +57,7 @@ impl<S: OrderedField> UnobservableLoop<S> {
     /// there.
     pub fn is_valid_for(&self, process: &ModeProcess<S>) -> bool {
         let (count, d) = (self.modes.len(), process.states());
-        if self.back_to >= count || self.subspaces.len() != count || self.window.skips(self.back_to) {
+        if self.back_to >= count || self.subspaces.len() != count || self.back_to < self.window.skipped() {
             return false;
         }
         let around: Vec<usize> = self.modes.iter().copied().chain([self.modes[self.back_to]]).collect();
@@ -67,17 +67,10 @@ impl<S: OrderedField> UnobservableLoop<S> {
         let carried = (0..count).all(|place| {
             let (mode, basis) = (&process.modes()[self.modes[place]], &self.subspaces[place]);
             let next = self.subspaces.get(place + 1).unwrap_or(&self.subspaces[self.back_to]);
-            let unseen = self.window.skips(place) || (mode.observation() * basis).is_zero();
+            let unseen = place < self.window.skipped() || (mode.observation() * basis).is_zero();
             unseen && next.beside(&(mode.transition() * basis)).rank() == next.rank()
         });
         carried && self.subspaces[0].rank() > 0
-    }
-}
-
-impl Window {
-    /// Whether the observation at this place of a path does not belong to the window.
-    fn skips(self, place: usize) -> bool {
-        self == Self::Printed && place == 0
     }
 }
 

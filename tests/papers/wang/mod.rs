@@ -2,6 +2,10 @@
 
 mod draws;
 mod equation;
+mod gramian;
+mod observer;
+mod sources;
+mod transition;
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
