@@ -16,6 +16,7 @@ mod one_shot;
 mod past;
 mod prediction_error;
 mod quadrature;
+mod random_modes;
 mod residues;
 mod systems;
 mod timing;

@@ -58,20 +58,24 @@ pub struct Draw {
 }
 
 /// Reads small integers off a tape.
-struct Tape(std::vec::IntoIter<i8>);
+pub struct Tape(std::vec::IntoIter<i8>);
 
 impl Tape {
+    pub fn new(tape: Vec<i8>) -> Self {
+        Self(tape.into_iter())
+    }
+
     fn next(&mut self) -> i8 {
         self.0.next().unwrap_or(0)
     }
 
     /// One of `0..count`.
-    fn choice(&mut self, count: usize) -> usize {
+    pub fn choice(&mut self, count: usize) -> usize {
         usize::from(self.next().unsigned_abs()) % count
     }
 
     /// Whether one in `count` came up.
-    fn rarely(&mut self, count: usize) -> bool {
+    pub fn rarely(&mut self, count: usize) -> bool {
         self.choice(count) == count - 1
     }
 
@@ -85,7 +89,7 @@ impl Tape {
         }
     }
 
-    fn matrix(&mut self, rows: usize, columns: usize) -> Q {
+    pub fn matrix(&mut self, rows: usize, columns: usize) -> Q {
         Matrix::from_fn(rows, columns, |_, _| self.entry())
     }
 
@@ -110,7 +114,7 @@ pub struct Kind {
 
 /// The system that a tape describes; a tape that ends is continued by zeros.
 pub fn draw(kind: Kind, tape: Vec<i8>) -> Draw {
-    let mut tape = Tape(tape.into_iter());
+    let mut tape = Tape::new(tape);
     let n = 1 + tape.choice(kind.states);
     let m = 1 + tape.choice(kind.sensors);
     let steps = 1 + tape.choice(kind.steps);

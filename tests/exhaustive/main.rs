@@ -8,6 +8,7 @@ mod definiteness;
 mod elimination;
 mod gaussian;
 mod minors;
+mod modes;
 mod parallel_sum;
 mod pseudo_inverse;
 mod spectral_radius;
