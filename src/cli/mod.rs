@@ -15,6 +15,7 @@ mod reproduce;
 mod shown;
 mod solve;
 mod spec;
+mod stability;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -49,6 +50,7 @@ enum Verb {
     Cases(cases::ListCases),
     Spec(spec::Spec),
     Identify(identify::Identify),
+    Stability(stability::Stability),
     Reproduce(reproduce::Reproduce),
 }
 
@@ -80,6 +82,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Cases(verb) => verb.run(),
         Verb::Spec(verb) => verb.run(),
         Verb::Identify(verb) => verb.run(),
+        Verb::Stability(verb) => verb.run(),
         Verb::Reproduce(verb) => verb.run(),
     };
     match outcome {

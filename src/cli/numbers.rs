@@ -1,5 +1,8 @@
 //! How numbers are printed: as fractions, or as correctly rounded decimals.
 
+use num_bigint::BigInt;
+use num_traits::Signed;
+
 use crate::matrix::Matrix;
 use crate::protocol::Decimal;
 use crate::scalar::Rational;
@@ -21,11 +24,59 @@ impl Numbers {
     }
 }
 
+impl Numbers {
+    /// A text for a bound from above: where it is rounded, it stands for no less.
+    pub(super) fn above(self, value: &Rational) -> String {
+        self.text(&self.moved(value, |rounded| rounded >= value, 1))
+    }
+
+    /// A text for a bound from below.
+    pub(super) fn below(self, value: &Rational) -> String {
+        self.text(&self.moved(value, |rounded| rounded <= value, -1))
+    }
+
+    /// The value, or one a unit or two of the last digit farther, so that rounding it gives a good one.
+    fn moved(self, value: &Rational, is_good: impl Fn(&Rational) -> bool, direction: i64) -> Rational {
+        if self.exact || is_good(&Decimal::rounded(value, self.digits).value()) {
+            return value.clone();
+        }
+        // A unit of the last digit is at most |value| 10^(1 − digits).
+        let unit = value.abs() / Rational::from(BigInt::from(10).pow(self.digits - 1));
+        value + unit * Rational::from(BigInt::from(direction))
+    }
+}
+
 /// A number, a column as `[a, b]`, or a matrix as `[[a, b], [c, d]]`.
 pub(super) fn laid_out(texts: &Matrix<String>) -> String {
     match (texts.rows(), texts.columns()) {
         (1, 1) => texts[(0, 0)].clone(),
         (_, 1) => format!("[{}]", texts.entries().join(", ")),
         _ => texts.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::ratio;
+
+    /// A rounded bound still bounds, and is near.
+    #[test]
+    fn bounds_are_rounded_outward() {
+        for digits in [1, 2, 3, 17] {
+            let numbers = Numbers { digits, exact: false };
+            for value in
+                [ratio(43, 7), ratio(-43, 7), ratio(1, 3), ratio(2, 3), ratio(-999, 1000), ratio(5, 1), ratio(0, 1)]
+            {
+                let read = |text: String| crate::protocol::Numbers::Exact.read_finite(&text).expect("a decimal");
+                let (above, below) = (read(numbers.above(&value)), read(numbers.below(&value)));
+                assert!(below <= value && value <= above, "{below} {value} {above}");
+                let near = (above - below) * Rational::from(BigInt::from(10).pow(digits - 1));
+                assert!(near <= value.abs() * ratio(4, 1), "{digits} digits of {value}");
+            }
+        }
+        assert_eq!(Numbers { digits: 3, exact: true }.above(&ratio(43, 7)), "43/7");
+        assert_eq!(Numbers { digits: 3, exact: false }.below(&ratio(43, 7)), "6.14");
+        assert_eq!(Numbers { digits: 3, exact: false }.above(&ratio(1, 4)), "0.25");
     }
 }
