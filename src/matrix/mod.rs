@@ -2,7 +2,7 @@
 //!
 //! Holds the matrix, its products, fraction-free elimination and what follows from it (solve, inverse,
 //! determinant, rank, kernel, full-rank factorisation, pseudo-inverse, parallel sum), LDLᵀ with witnesses and the
-//! Loewner order, the characteristic polynomial with what it decides, and Stein's equation. Holds no probability and
+//! Loewner order, the characteristic polynomial with what it decides, symmetric powers, and Stein's equation. Holds no probability and
 //! no model.
 //!
 //! What may be asked depends on the scalar: products and elimination need a
@@ -24,6 +24,7 @@ mod pseudo_inverse;
 mod solve;
 mod spectral_radius;
 mod stein;
+mod symmetric_power;
 
 use std::fmt;
 use std::ops::{Index, IndexMut};

@@ -6,6 +6,8 @@
 //!   [`ModeProcess::uniform_bound`] bounds P(k) on every path.
 //! * Along one path: [`gramian`], the [`Observer`], products of the closed loop ([`ClosedLoopBound`]), the size of the gain
 //!   ([`Mode::gain_bounds`]), a filter with wrong noise ([`error_covariances`]).
+//! * [`ModeProcess::moment`] says whether a moment of P(k) stays bounded, [`Mode::critical_arrival`] how often an observation must arrive,
+//!   [`ModeProcess::product_bound`], [`ModeProcess::decay`] and [`Drift`] how fast products decay.
 //!
 //! Holds no simulation.
 //!
@@ -14,17 +16,27 @@
 
 mod bound;
 mod bracket;
+mod classes;
 mod closed_loop;
+mod decay;
+mod drift;
 mod equation;
 mod expectation;
 mod gain;
+mod gain_search;
 mod gramian;
+mod growth;
+mod intermittent;
+mod largest_moment;
 mod margin;
 mod misspecified;
 mod mode;
+mod moment_bound;
+mod moments;
 mod observability;
 mod observer;
 mod process;
+mod product;
 mod subspace;
 mod transition_matrix;
 mod unobservable;
@@ -33,13 +45,20 @@ mod window;
 pub use bound::{BoundError, UniformBound, WindowBound};
 pub use bracket::Bracket;
 pub use closed_loop::{ClosedLoopBound, ClosedLoopError, Factor, riccati_path};
+pub use decay::{Decay, DecayVerdict, OutsideUnitInterval};
+pub use drift::{Contraction, Drift};
 pub use equation::RiccatiStep;
 pub use expectation::{CovarianceLaw, CovarianceState, StartError, TooManyStates};
 pub use gain::{GainBounds, GainError};
 pub use gramian::{Unseen, excites, gramian};
+pub use growth::MomentGrowth;
+pub use intermittent::CriticalArrival;
+pub use largest_moment::LargestMoment;
 pub use margin::MarginError;
 pub use misspecified::{ErrorCovariances, Misspecified, OtherSystem, error_covariances};
 pub use mode::{Mode, ModeError, Part};
+pub use moment_bound::MomentBound;
+pub use moments::{MomentDoubt, MomentVerdict};
 pub use observability::{Observability, SmallestWindow, Start, TooManySubspaces};
 pub use observer::{ErrorMap, Observer, ObserverError};
 pub use process::{ModeProcess, ProcessError};
