@@ -1,9 +1,16 @@
 //! Wang, Guo 1999: the claims on random Riccati equations, and what the paper prints beside what is right.
 
+mod adapted;
+mod closed_loop;
 mod draws;
 mod equation;
 mod gramian;
+mod means;
+mod misspecified;
 mod observer;
+mod optimality;
+mod paths;
+mod powers;
 mod sources;
 mod transition;
 

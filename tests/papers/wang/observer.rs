@@ -58,11 +58,10 @@ fn the_observer_is_least_squares_on_good_windows() {
             let seen = stack(times.clone().map(|i| path[i].observation() * transition_matrix(path, k..i)).collect());
             let squares = |right: Q| (seen.transpose() * &seen).solve(&(seen.transpose() * right)).expect("good");
             assert_eq!(estimates[k + h], &front * squares(stack(readings[times.clone()].to_vec())));
-            let xi = |i: usize| {
-                let noise = (k + 1..=i).map(|j| transition_matrix(path, j..i) * sources.w(j));
-                noise.fold(sources.v(i), |sum, term| sum + path[i].observation() * term)
-            };
-            assert_eq!(estimates[k + h], front * (&states[k] + squares(stack(times.map(xi).collect()))));
+            assert_eq!(
+                estimates[k + h],
+                front * (&states[k] + squares(stack(times.map(|i| sources.xi(k, i)).collect())))
+            );
             good += 1;
         }
     }

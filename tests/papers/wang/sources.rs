@@ -2,7 +2,7 @@
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
-use exact_kalman::stability::Mode;
+use exact_kalman::stability::{Mode, transition_matrix};
 
 use super::Q;
 use super::draws::{mode, sizes};
@@ -19,6 +19,11 @@ impl Sources {
     /// Any path of the given number of modes; the number of sensors changes with time.
     pub fn random(dice: &mut Dice, modes: usize) -> Self {
         let (d, _) = sizes(dice);
+        Self::of_dimension(d, dice, modes)
+    }
+
+    /// The same for a given d.
+    pub fn of_dimension(d: usize, dice: &mut Dice, modes: usize) -> Self {
         let mut any = || {
             let (_, m) = sizes(dice);
             mode(dice, d, m)
@@ -76,6 +81,17 @@ impl Sources {
     pub fn readings(&self) -> Vec<Q> {
         let states = self.states();
         self.path.iter().enumerate().map(|(k, mode)| mode.observation() * &states[k] + self.v(k)).collect()
+    }
+
+    /// Any values of all sources.
+    pub fn values(&self, dice: &mut Dice) -> Q {
+        Matrix::from_fn(self.width(), 1, |i, _| if i == 0 { ratio(1, 1) } else { dice.entry() })
+    }
+
+    /// ξ(i) for the window from k.
+    pub fn xi(&self, k: usize, i: usize) -> Q {
+        let noise = (k + 1..=i).map(|j| transition_matrix(&self.path, j..i) * self.w(j));
+        noise.fold(self.v(i), |sum, term| sum + self.path[i].observation() * term)
     }
 
     /// The joint covariance of all sources; w(k+1) has Q(k).
