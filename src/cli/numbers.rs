@@ -35,14 +35,17 @@ impl Numbers {
         self.text(&self.moved(value, |rounded| rounded <= value, -1))
     }
 
-    /// The value, or one a unit or two of the last digit farther, so that rounding it gives a good one.
+    /// The value, or one farther away that rounds to the next decimal.
     fn moved(self, value: &Rational, is_good: impl Fn(&Rational) -> bool, direction: i64) -> Rational {
-        if self.exact || is_good(&Decimal::rounded(value, self.digits).value()) {
-            return value.clone();
+        let is_good = |candidate: &Rational| is_good(&Decimal::rounded(candidate, self.digits).value());
+        let mut moved = value.clone();
+        // A unit of the last digit is between one and ten times this.
+        let mut distance = value.abs() / Rational::from(BigInt::from(10).pow(self.digits));
+        while !self.exact && !is_good(&moved) {
+            moved = value + &distance * Rational::from(BigInt::from(direction));
+            distance = &distance + &distance;
         }
-        // A unit of the last digit is at most |value| 10^(1 − digits).
-        let unit = value.abs() / Rational::from(BigInt::from(10).pow(self.digits - 1));
-        value + unit * Rational::from(BigInt::from(direction))
+        moved
     }
 }
 
@@ -72,7 +75,7 @@ mod tests {
                 let (above, below) = (read(numbers.above(&value)), read(numbers.below(&value)));
                 assert!(below <= value && value <= above, "{below} {value} {above}");
                 let near = (above - below) * Rational::from(BigInt::from(10).pow(digits - 1));
-                assert!(near <= value.abs() * ratio(4, 1), "{digits} digits of {value}");
+                assert!(near <= value.abs(), "{digits} digits of {value}");
             }
         }
         assert_eq!(Numbers { digits: 3, exact: true }.above(&ratio(43, 7)), "43/7");

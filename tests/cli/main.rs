@@ -14,3 +14,4 @@ mod report;
 mod reproduce;
 mod solve;
 mod spec;
+mod stability;
