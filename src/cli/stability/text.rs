@@ -112,9 +112,15 @@ impl Page<'_> {
             }
             Moment::Decided(MomentVerdict::Unbounded(proof)) => {
                 let names: Vec<&str> = proof.modes.iter().map(|&mode| self.model.names[mode].as_str()).collect();
+                let names = names.join(", ");
+                if proof.radius == Rational::from_integer(1.into()) {
+                    return format!("unbounded: paths that stay in {names} keep what each step adds");
+                }
                 let times = self.numbers.below(&proof.radius);
-                let least = if proof.radius == Rational::from_integer(1.into()) { "exactly" } else { "at least" };
-                format!("unbounded: multiplied by {least} {times} a step while in {}", names.join(", "))
+                format!(
+                    "unbounded: at least {times} times as large with each step of paths that stay in {}",
+                    names.join(", ")
+                )
             }
             Moment::Decided(MomentVerdict::Undecided(doubt)) => format!("undecided: {}", reason(*doubt)),
         }
