@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::moments::{dense, dense_column, finite_column};
+use super::moments::{dense, dense_column, finite, finite_column};
 use super::observed::Observed;
 use super::transition::Transition;
 use crate::matrix::Matrix;
@@ -24,8 +24,12 @@ pub struct MixturePart {
 pub struct MixtureEstimate {
     /// The best estimate, n×1.
     pub mean: Matrix<f64>,
+    /// The covariance of the state given the readings, n×n, symmetric to the last bit.
+    pub covariance: Matrix<f64>,
     /// The best affine estimate, n×1.
     pub linear: Matrix<f64>,
+    /// The best estimate less the best affine one, n×1, taken before X̄ is added to either (SM-4.31).
+    pub difference: Matrix<f64>,
     /// The probabilities of the components.
     pub weights: Vec<f64>,
 }
@@ -36,7 +40,7 @@ pub enum MixtureError {
     /// The model has the other timing.
     #[error("the system has arriving timing; departing timing is needed")]
     Arriving,
-    /// A matrix that should be regular is not, or a result is not finite.
+    /// A matrix that should be regular is not, such as the covariance of the observation noise, or a result is not finite.
     #[error("at step {step} a matrix is singular or a result is not finite")]
     Singular {
         /// The step, counted from 0.
@@ -53,7 +57,7 @@ struct State {
     linear: DVector<f64>,
 }
 
-/// Best and best affine estimates of each next state, with weights by the logarithm of a sum of exponentials.
+/// Best and best affine estimates of each next state, the covariance of the first and their difference, with weights by the logarithm of a sum of exponentials.
 ///
 /// It runs Q*, R* and B̄ by their closed recursions SM-4.6, SM-4.7 and SM-4.8, and never forms Q, R or M. The initial belief of the
 /// path is not used.
@@ -97,6 +101,8 @@ impl State {
         let mut mean = a * &self.mean + &transition.input;
         let mut response = a * &self.response;
         if let Some(Observed { matrix: h, value, noise, .. }) = observed {
+            // SM-A2; rounding hides it in the sum.
+            noise.clone().cholesky()?;
             let factor = (h * p * h.transpose() + noise).cholesky()?;
             let gain = factor.solve(&(a * p * h.transpose() + cross).transpose()).transpose();
             let innovation = value - h * &self.mean;
@@ -123,25 +129,49 @@ impl State {
         });
         let tilted =
             parts.iter().map(|(_, mean, covariance)| self.tilted(mean, covariance)).collect::<Option<Vec<_>>>()?;
-        let evidence: Vec<f64> = parts.iter().zip(&tilted).map(|(part, tilted)| part.0.ln() + tilted.1).collect();
+        let evidence: Vec<f64> =
+            parts.iter().zip(&tilted).map(|(part, tilted)| part.0.ln() + tilted.evidence).collect();
         let most = evidence.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let sum: f64 = evidence.iter().map(|log| (log - most).exp()).sum();
         let weights: Vec<f64> = evidence.iter().map(|log| (log - most).exp() / sum).collect();
         let start =
-            weights.iter().zip(&tilted).fold(DVector::zeros(n), |sum, (weight, tilted)| sum + &tilted.0 * *weight);
-        let best = &self.mean + &self.response * start;
-        let linear = &self.mean + &self.response * self.tilted(&mean, &covariance)?.0;
-        Some(MixtureEstimate { mean: finite_column(&best).ok()?, linear: finite_column(&linear).ok()?, weights })
+            weights.iter().zip(&tilted).fold(DVector::zeros(n), |sum, (weight, tilted)| sum + &tilted.mean * *weight);
+        let spread = weights.iter().zip(&tilted).fold(DMatrix::zeros(n, n), |sum, (weight, tilted)| {
+            let away = &tilted.mean - &start;
+            sum + (&tilted.covariance + &away * away.transpose()) * *weight
+        });
+        let affine = self.tilted(&mean, &covariance)?.mean;
+        let of_state = &self.covariance + &self.response * spread * self.response.transpose();
+        Some(MixtureEstimate {
+            mean: finite_column(&(&self.mean + &self.response * &start)).ok()?,
+            covariance: finite(&((&of_state + of_state.transpose()) / 2.0)).ok()?,
+            linear: finite_column(&(&self.mean + &self.response * &affine)).ok()?,
+            difference: finite_column(&(&self.response * (start - affine))).ok()?,
+            weights,
+        })
     }
 
-    /// The mean of N(μ, Δ) weighted by the likelihood, and the logarithm of its evidence.
-    fn tilted(&self, mean: &DVector<f64>, covariance: &DMatrix<f64>) -> Option<(DVector<f64>, f64)> {
+    /// N(μ, Δ) weighted by the likelihood.
+    fn tilted(&self, mean: &DVector<f64>, covariance: &DMatrix<f64>) -> Option<Tilted> {
         let n = mean.len();
         let (b, r) = (&self.linear, &self.precision);
         let factor = (DMatrix::identity(n, n) + covariance * r).lu();
         let slope = b - r * mean;
         let shift = factor.solve(&(covariance * &slope))?;
         let exponent = mean.dot(b) - mean.dot(&(r * mean)) / 2.0 + slope.dot(&shift) / 2.0;
-        Some((mean + shift, exponent - factor.determinant().ln() / 2.0))
+        Some(Tilted {
+            mean: mean + shift,
+            covariance: factor.solve(covariance)?,
+            evidence: exponent - factor.determinant().ln() / 2.0,
+        })
     }
+}
+
+/// What the readings make of a component.
+struct Tilted {
+    mean: DVector<f64>,
+    /// (I + ΔR*)⁻¹Δ
+    covariance: DMatrix<f64>,
+    /// The logarithm of its evidence.
+    evidence: f64,
 }
