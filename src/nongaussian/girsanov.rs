@@ -130,6 +130,17 @@ impl<S: OrderedField> Statistics<S> {
     pub fn likelihood_ratio(&self) -> LikelihoodRatio<'_, S> {
         LikelihoodRatio { information: &self.information }
     }
+
+    /// The law of B̄ under ℙ̄, where it is independent of ξ: centred, and degenerate where R* is singular, a unit mass where the readings
+    /// see nothing of ξ.
+    ///
+    /// SM-L1: `B̄(t+1) ~ N(0, R*(t+1)) under ℙ̄`
+    ///
+    /// SM-G: `G_Λ = N(0, Λ),  Λ ∈ 𝒬_n`
+    pub fn law_of_linear(&self) -> Gaussian<S> {
+        let precision = self.precision();
+        law(Matrix::zeros(precision.rows(), 1), precision)
+    }
 }
 
 impl<S: OrderedField> LikelihoodRatio<'_, S> {

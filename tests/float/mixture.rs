@@ -149,7 +149,8 @@ fn what_has_no_estimate() {
         covariance: Matrix::from_fn(2, 2, |_, _| 0.0),
     };
     let path = systems::doubles(&systems::twin_sensors(9, &[1, 2]));
-    assert_eq!(estimate_mixture(&path, &[part(f64::NAN)]), Err(MixtureError::Singular { step: 0 }));
+    assert_eq!(estimate_mixture(&path, &[part(f64::NAN)]), Err(MixtureError::NoLaw));
+    assert_eq!(estimate_mixture(&path, &[]), Err(MixtureError::NoLaw));
     // From the third reading on the sensors are equal and have no noise: S is singular.
     let quiet = systems::doubles(&systems::twin_sensors(2, &[1, 2, 3]));
     assert_eq!(estimate_mixture(&quiet, &[part(0.0)]), Err(MixtureError::Singular { step: 2 }));

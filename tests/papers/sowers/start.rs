@@ -4,7 +4,7 @@ use exact_kalman::filter::filter;
 use exact_kalman::gaussian::Gaussian;
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Coefficient, Initial, Input, Noise, Observation, System, Timing};
-use exact_kalman::nongaussian::{InitialLaw, Statistics, statistics};
+use exact_kalman::nongaussian::{Enclosed, InitialLaw, Statistics, statistics};
 use exact_kalman::scalar::{Rational, ratio};
 
 use super::Q;
@@ -70,6 +70,33 @@ fn a_degenerate_start_needs_no_inverse() {
         }
     }
     assert!(ranks.iter().all(|&count| count > 20), "{ranks:?}");
+}
+
+/// SM-A4: Theorem 3 with a singular Δ: atoms (±1, 0) of two states, of which one sensor reads the first, have the price of the scalar model with atoms
+/// ±1, whose Δ is 1, since the second state is known.
+#[test]
+fn a_degenerate_start_has_its_price() {
+    let one = |n: usize| Matrix::<Rational>::identity(n);
+    let price = |n: usize| {
+        let system = System {
+            timing: Timing::Departing,
+            initial: Initial::new(Before::Observation, Matrix::zeros(n, 1), Matrix::zeros(n, n)),
+            transition: one(n).into(),
+            observation: one(n).select_rows(&[0]).into(),
+            noise: Noise::Covariances { process: one(n).into(), cross: None, observation: one(1).into() },
+            input: None,
+            observation_input: None,
+        };
+        let path = system.realised(&[Observation::complete([ratio(2, 1)])]).expect("a model");
+        let now = statistics(&path).expect("noisy").pop().expect("some");
+        let atoms = [1, -1].map(|x| (ratio(1, 2), one(n).select_columns(&[0]).scaled(&ratio(x, 1))));
+        let law = InitialLaw::atoms(atoms).expect("a law");
+        assert_eq!(law.covariance().rank(), 1);
+        now.price_of_linearity(&law, 20).expect("one direction")
+    };
+    let (Enclosed::Between(scalar), Enclosed::Between(degenerate)) = (price(1), price(2)) else { panic!("irrational") };
+    assert!(scalar.lower() <= degenerate.upper() && degenerate.lower() <= scalar.upper());
+    assert!(!degenerate.lower().is_negative() && !degenerate.lower().is_zero());
 }
 
 /// SM-T2-remark-ii: one run of the statistics serves every μ and Δ: a filter started anew from N(μ, Δ), for Δ of any rank, gives X̄ + Q*(CB̄ + d) with
