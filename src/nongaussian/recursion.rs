@@ -66,12 +66,12 @@ impl<S: OrderedField> Recursion<S> {
             covariance: a.congruence(p) - &gain * cross.transpose() + w,
             cross: a * q - &gain * &response + &regression * &initial,
             error: r - &seen * &response + &reading_information,
-            innovation_covariance: Some(j),
-            state_transition: a * &self.0.state_transition,
             transition: (a - &regression * h) * psi,
             information: m + &reading_information,
             mean: a * mean + &gain * &innovation + &transition.input,
             linear: linear + seen * innovation,
+            innovation_covariance: Some(j),
+            state_transition: a * &self.0.state_transition,
         };
         Ok(())
     }
