@@ -48,7 +48,7 @@ impl Model {
     fn new(number: usize) -> Self {
         let mut dice = Dice(u64::try_from(number).unwrap() + 77);
         let (n, k, count) = (1 + number % 3, 1 + number / 3 % 3, 1 + number * 7 % 10);
-        let (singular, nilpotent, shared) = (number.is_multiple_of(2), number % 4 == 1, number % 5 > 0);
+        let (singular, nilpotent, shared) = (number.is_multiple_of(2), number % 4 == 1, !number.is_multiple_of(5));
         let (blind, gaps, degenerate) = (number % 3 == 1, number % 7 < 3, number % 11 < 7);
         let own = if singular { n - 1 } else { n };
         let zero = |rows, columns| Matrix::zeros(rows, columns);
