@@ -12,6 +12,9 @@
 //!   fraction or irrational and to any number of digits;
 //! * [`Posterior::characteristic`] is the conditional characteristic function, and [`Statistics::price_of_linearity`] encloses how much the
 //!   best affine estimate loses on average;
+//! * [`Decomposition`] splits the state into noise and start in every way the paper allows, with the density of the new measure that
+//!   each makes ([`LogDensity`], [`Shift`]); [`InfiniteHorizon`] decides for constant systems whether these measures have a
+//!   limit with a density;
 //! * [`as_printed`] keeps the wrong forms of the paper, so that the difference can be seen.
 //!
 //! Holds no simulation.
@@ -21,9 +24,12 @@
 pub mod as_printed;
 mod average;
 mod characteristic;
+mod decomposition;
 mod girsanov;
+mod horizon;
 mod initial_law;
 mod linear;
+mod log_density;
 mod moments;
 mod posterior;
 mod price;
@@ -33,9 +39,12 @@ mod statistics;
 
 pub use average::{Enclosed, TooWide};
 pub use characteristic::{CharacteristicFunction, CharacteristicTerm};
-pub use girsanov::LikelihoodRatio;
+pub use decomposition::{Affine, Choice, Decomposition};
+pub use girsanov::{LikelihoodRatio, Shift, log_likelihood_ratios};
+pub use horizon::{HorizonError, InfiniteHorizon, LimitMeasure};
 pub use initial_law::{Component, InitialLaw, InitialLawError};
 pub use linear::Linear;
+pub use log_density::LogDensity;
 pub use posterior::{Evidence, Posterior, PosteriorComponent};
 pub use price::PriceError;
 pub use statistics::{Statistics, StatisticsError, statistics};

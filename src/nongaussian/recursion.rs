@@ -17,6 +17,8 @@ impl<S: OrderedField> Recursion<S> {
             covariance: zero.clone(),
             cross: zero.clone(),
             error: zero.clone(),
+            innovation_covariance: None,
+            state_transition: Matrix::identity(n),
             transition: Matrix::identity(n),
             information: zero,
             mean: Matrix::zeros(n, 1),
@@ -29,6 +31,8 @@ impl<S: OrderedField> Recursion<S> {
     }
 
     /// From t to t + 1. An error is a vector of the kernel of Σᵛ.
+    ///
+    /// SM-1.6: `Φ(t,t) = I,  Φ(s+1,t) = A(s)Φ(s,t),  s ≥ t`
     ///
     /// SM-1.7: `Ψ(t,t) = I,  Ψ(s+1,t) = [A(s) − Σʷᵛ(s+1)Σᵛ(s+1)⁻¹H(s)]Ψ(s,t),  s ≥ t`
     ///
@@ -45,7 +49,8 @@ impl<S: OrderedField> Recursion<S> {
         let wv = &transition.cross_noise.select_columns(&observed);
         let v = step.observation_noise.select(&observed, &observed);
         let v_inverse = inverse_or_kernel(&v)?;
-        let Statistics { covariance: p, cross: q, error: r, transition: psi, information: m, mean, linear } = &self.0;
+        let Statistics { covariance: p, cross: q, error: r, transition: psi, information: m, mean, linear, .. } =
+            &self.0;
         let j = h.congruence(p) + &v;
         // J ≥ Σᵛ > 0
         let j_inverse = inverse_or_kernel(&j)?;
@@ -65,6 +70,8 @@ impl<S: OrderedField> Recursion<S> {
             information: m + &reading_information,
             mean: a * mean + &gain * &innovation + &transition.input,
             linear: linear + seen * innovation,
+            innovation_covariance: Some(j),
+            state_transition: a * &self.0.state_transition,
         };
         Ok(())
     }

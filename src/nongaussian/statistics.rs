@@ -14,6 +14,10 @@ pub struct Statistics<S> {
     pub cross: Matrix<S>,
     /// R, n×n: the covariance of the error of B under the new measure.
     pub error: Matrix<S>,
+    /// J(t−1), that of the newest reading, with a row for each of its entries that is there; nothing at t = 0.
+    pub innovation_covariance: Option<Matrix<S>>,
+    /// Φ(t, 0), n×n: how the state follows ξ when there are no readings.
+    pub state_transition: Matrix<S>,
     /// Ψ(t, 0), n×n.
     pub transition: Matrix<S>,
     /// M, n×n: the covariance of B under the new measure.
@@ -103,6 +107,9 @@ pub enum StatisticsError<S> {
 /// let path = system.realised(&[Observation::complete([ratio(1, 1)])])?;
 /// let after = &statistics(&path)?[1];
 /// assert_eq!(after.error[(0, 0)], ratio(0, 1));
+/// // J(0) = H P(0) Hᵀ + Σᵛ(1) and Φ(1, 0) = A(0)
+/// assert_eq!(after.innovation_covariance, Some(one.scaled(&ratio(2, 1))));
+/// assert_eq!(after.state_transition, one);
 /// assert_eq!(after.precision()[(0, 0)], ratio(1, 2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

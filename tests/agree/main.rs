@@ -1,6 +1,7 @@
 //! Every algorithm by two routes: recursion, one-shot conditioning, other scalars, exact finite laws.
 
 mod ahead;
+mod bayes;
 mod beyond;
 mod diffuse;
 mod draws;

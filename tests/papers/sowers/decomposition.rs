@@ -1,12 +1,15 @@
 //! The system, its decomposition into noise and initial condition, and what is free in it.
 
 use exact_kalman::filter::filter;
+use exact_kalman::gaussian::Gaussian;
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, System, Timing};
+use exact_kalman::nongaussian::as_printed::{self, noise_coefficients};
+use exact_kalman::nongaussian::{Affine, Choice, StatisticsError};
 use exact_kalman::scalar::{Rational, ratio};
 
 use super::girsanov::log_ratios;
-use super::world::{Dice, Noises, World, form, half, integrated, product, stacked};
+use super::world::{At, Dice, Noises, World, form, half, integrated, product, stacked};
 use super::{Q, number};
 
 const BOTH: &[Noises] = &[Noises::Correlated, Noises::Standard];
@@ -25,6 +28,9 @@ fn the_state_is_linear_in_the_start_and_the_noise() {
             }
             assert_eq!(&sum, state);
         }
+        let none = vec![Matrix::zeros(world.k, 1); world.steps.len()];
+        let found: Vec<Q> = world.statistics(&none).into_iter().map(|now| now.state_transition).collect();
+        assert_eq!(found, world.transitions(0, false));
         let slope = stacked(&world.readings());
         let slope = slope.block(0..slope.rows(), world.sources());
         let data: Vec<Q> = world.steps.iter().map(|_| dice.matrix(world.k, 1)).collect();
@@ -38,19 +44,42 @@ fn the_state_is_linear_in_the_start_and_the_noise() {
     }
 }
 
-/// Erratum SM-4.4: A(0) = 2, A(1) = 3: X°(2) contains 3W°(1) + W°(2). With Φ(t,s) as printed 2W°(1) + W°(2); for constant A both
-/// are the same.
+/// Erratum SM-4.4: X°(t+1) is Φ(t+1,0)ξ plus the sum of Φ(t+1,s+1)W°(s+1), for any model; with Φ(t,s) as printed the sum is another one
+/// wherever A changes, and the same for constant A. A(0) = 2, A(1) = 3: 3W°(1) + W°(2), printed 2W°(1) + W°(2).
 #[test]
 fn the_noise_is_carried_from_its_own_time() {
-    let coefficients = |a: [i64; 2]| {
-        let state = |w: [i64; 2]| a[1] * w[0] + w[1];
-        let phi = |to: usize, from: usize| a[from..to].iter().product::<i64>();
-        let right = [0, 1].map(|s| phi(2, s + 1));
-        let printed = [0, 1].map(|s| phi(1, s));
-        ([state([1, 0]), state([0, 1])], right, printed)
+    // Whether the state is the sum with these coefficients, right and as printed.
+    let hold = |world: &World| {
+        let (t, states) = (world.steps.len() - 1, world.states());
+        let path = world.path(&vec![Matrix::zeros(world.k, 1); t + 1]);
+        let right: Vec<Q> = (0..=t).map(|s| world.transitions(s + 1, false)[t - s].clone()).collect();
+        [right, noise_coefficients(&path, t)].map(|coefficients| {
+            let start = &world.transitions(0, false)[t + 1] * world.z();
+            let terms = coefficients.iter().enumerate().map(|(s, coefficient)| coefficient * world.plant_noise(s));
+            terms.fold(start, |sum, term| sum + term) == states[t + 1]
+        })
     };
-    assert_eq!(coefficients([2, 3]), ([3, 1], [3, 1], [2, 1]));
-    assert_eq!(coefficients([5, 5]), ([5, 1], [5, 1], [5, 1]));
+    let mut differ = 0;
+    for (mut world, _) in World::all(BOTH) {
+        let [right, printed] = hold(&world);
+        assert!(right);
+        differ += usize::from(!printed);
+        let first = world.steps[0].a.clone();
+        world.steps.iter_mut().for_each(|at| at.a = first.clone());
+        assert_eq!(hold(&world), [true, true]);
+    }
+    assert!(differ > 10);
+    let one = |a: i64| At {
+        a: Matrix::from_integers(&[[a]]),
+        h: Matrix::identity(1),
+        plant: Matrix::from_integers(&[[1, 0]]),
+        sensors: Matrix::from_integers(&[[0, 1]]),
+    };
+    let world = World { n: 1, k: 1, q: 2, steps: vec![one(2), one(3)] };
+    let of = |s: usize| world.states()[2].block(0..1, world.source(s))[(0, 0)].clone();
+    let printed = noise_coefficients(&world.path(&[number(ratio(0, 1)), number(ratio(0, 1))]), 1);
+    assert_eq!([of(0), of(1)], [ratio(3, 1), ratio(1, 1)]);
+    assert_eq!(printed, [number(ratio(2, 1)), number(ratio(1, 1))]);
 }
 
 /// Erratum SM-1.1: for n = 2 and k = 1 the model is accepted with H of shape k×n, and refused with n×k as printed.
@@ -128,39 +157,71 @@ fn filtrations() {
     }
 }
 
-/// Erratum SM-3.1: the condition under which V° is white noise for ℱ is Σʷᵛ = 0. Printed Σᵛ = 0 excludes every model that SM-A2
-/// allows; and a model with Σʷᵛ = 0 and Σᵛ = 1, where V° is independent of ξ and W°, does not fulfil it.
+/// Erratum SM-3.1: V° is white noise for ℱ, that is V°(t+1) has the law N(0, Σᵛ) given ξ, all of W° and V° before it, exactly if Σʷᵛ = 0.
+/// Printed Σᵛ = 0, which holds for none of these models, white or not, and which SM-A2 refuses.
+///
+/// SM-2.21, SM-3.14: likewise (2.21), with Σᵛ⁻¹, makes (W°, V) white exactly if ΣʷᵛΣᵛ⁻¹HZ = 0: otherwise W° gets a mean that depends on ξ.
 #[test]
 fn the_condition_is_on_the_cross_covariance() {
-    let world = World::random(2, Noises::Standard);
-    for at in &world.steps {
-        let (right, printed) = (at.wv().is_zero(), at.v().is_zero());
-        let is_white = (&at.plant * at.sensors.transpose()).is_zero();
-        assert_eq!((is_white, right, printed), (true, true, false));
+    let mut whites = [0; 2];
+    for (world, mut dice) in World::all(&[Noises::Correlated, Noises::Uncorrelated, Noises::Standard]) {
+        let sources = world.sources();
+        let of_sources = |rows: Q| rows.block(0..rows.rows(), sources.clone());
+        let plant: Vec<Q> = (0..world.steps.len()).map(|s| of_sources(world.plant_noise(s))).collect();
+        let sensors: Vec<Q> = (0..world.steps.len()).map(|s| of_sources(world.sensor_noise(s))).collect();
+        let drawn = dice.matrix(sources.len(), 1);
+        let is_white = (0..world.steps.len()).all(|t| {
+            let known = stacked(&[&plant[..], &sensors[..t]].concat());
+            let joint = known.above(&sensors[t]);
+            let law = Gaussian::new(Matrix::zeros(joint.rows(), 1), &joint * joint.transpose()).expect("symmetric");
+            let rows: Vec<usize> = (0..known.rows()).collect();
+            let given = law.conditioned(&rows, &(known * &drawn)).expect("these values can occur").law;
+            (given.mean(), given.covariance()) == (&Matrix::zeros(world.k, 1), &world.steps[t].v())
+        });
+        let right = world.steps.iter().all(|at| at.wv().is_zero());
+        let printed = world.steps.iter().all(|at| at.v().is_zero());
+        assert_eq!((is_white, false), (right, printed));
+        whites[usize::from(is_white)] += 1;
+
+        let path = world.path(&vec![Matrix::zeros(world.k, 1); world.steps.len()]);
+        let parts =
+            exact_kalman::nongaussian::Decomposition::new(&path, Choice::of_the_paper(world.n, world.steps.len()));
+        let z = dice.matrix(world.n, 1);
+        for (s, step) in parts.expect("noisy").shifts(&z).iter().enumerate() {
+            let mean = step.law_of_noise().mean().block(0..world.n, 0..1);
+            let at = &world.steps[s];
+            assert_eq!(mean, (at.regression() * &at.h * &world.psi()[s] * &z).scaled(&ratio(-1, 1)));
+        }
     }
-    assert!(World::all(&[Noises::Correlated]).all(|(world, _)| world.steps.iter().all(|at| !at.v().is_zero())));
+    assert!(whites.iter().all(|&count| count > 10), "{whites:?}");
+    let refused = exact_kalman::nongaussian::statistics(&super::scalar([1, 1, 1, 0, 0], &[1]));
+    assert!(matches!(refused, Err(StatisticsError::Noiseless { .. })));
 }
 
 /// φ, π and ζ, affine and adapted, and what follows from them.
-struct Decomposition {
-    phi: Vec<Q>,
-    chi: Vec<Q>,
+pub struct Decomposition {
+    pub phi: Vec<Q>,
+    pub chi: Vec<Q>,
     /// (W(t+1), V(t+1)) by (3.3).
-    noise: Vec<(Q, Q)>,
-    x: Vec<Q>,
-    z: Vec<Q>,
+    pub noise: Vec<(Q, Q)>,
+    pub x: Vec<Q>,
+    pub z: Vec<Q>,
 }
 
 fn decomposition(world: &World, dice: &mut Dice, chosen: bool) -> Decomposition {
-    let mut any = |rows, t| {
-        let drawn = world.adapted(rows, t, dice);
-        if chosen { Matrix::zeros(rows, world.size()) } else { drawn }
-    };
-    let zeta = any(world.n, 0);
+    decomposed(world, |t| {
+        let drawn = world.adapted(world.n, t, dice);
+        if chosen { Matrix::zeros(world.n, world.size()) } else { drawn }
+    })
+}
+
+/// The decomposition with these φ(t) and π(t), and ζ, which is asked for first and at 0.
+pub fn decomposed(world: &World, mut any: impl FnMut(usize) -> Q) -> Decomposition {
+    let zeta = any(0);
     let (mut x, mut z) = (vec![zeta.clone()], vec![world.z() - zeta]);
     let (mut all_phi, mut all_chi, mut noise) = (Vec::new(), Vec::new(), Vec::new());
     for (t, at) in world.steps.iter().enumerate() {
-        let (phi, pi) = (any(world.n, t), any(world.n, t));
+        let (phi, pi) = (any(t), any(t));
         // (3.4), (3.3)
         let phi_v = (at.v_inverse() * (at.wv().transpose() * &phi + &at.h * &z[t])).scaled(&ratio(-1, 1));
         let chi = phi.above(&phi_v);
@@ -202,18 +263,38 @@ fn every_decomposition_adds_up() {
     }
 }
 
-/// Erratum SM-3.5: n = k = 1, Σʷ = 1, Σʷᵛ = 0, Z = 0, φ = 1: W = W° − 1; without the minus sign W° + 1, and as it stands in print
-/// a vector of n rows times a matrix of n rows, which has no value for n = 2.
+/// Erratum SM-3.5: n = k = 1, Σʷ = 1, Σʷᵛ = 0, Z = 0, φ = 1: W = W° − 1 by (3.3), written out; without the minus sign W° + 1, whose mean
+/// under the new measure, where W° has the mean 1, is 2 and not 0. And as it stands in print a vector of n rows stands before a
+/// matrix of n rows, a product without a value for n = 2.
 #[test]
 fn the_shift_of_the_plant_noise_is_subtracted() {
-    let (gamma, shift) = (Matrix::<Rational>::identity(2), Matrix::from_integers(&[[1], [0]]));
+    let (one, zero) = (Matrix::<Rational>::identity(1), Matrix::<Rational>::zeros(1, 1));
+    let choice = Choice {
+        drift: vec![Affine { slope: zero.clone(), offset: one.clone() }],
+        moved: vec![Affine::zero(1)],
+        // ζ = ξ, so that Z(0) = 0
+        start: Affine { slope: one, offset: zero },
+    };
+    let parts =
+        exact_kalman::nongaussian::Decomposition::new(&super::scalar([1, 1, 1, 0, 1], &[0]), choice).expect("noisy");
+    let z = number(ratio(5, 1));
     for noise in [-2, 0, 5] {
-        let by_definition = Matrix::from_integers(&[[noise], [7]]) - &gamma * &shift;
-        let (right, printed) = (ratio(noise - 1, 1), ratio(noise + 1, 1));
-        assert_eq!(by_definition[(0, 0)], right);
-        assert_ne!(by_definition[(0, 0)], printed);
+        let old = [Matrix::from_integers(&[[noise], [7]])];
+        // (W°, V°) − Γ(φ, 0)
+        let by_definition = &old[0] - Matrix::<Rational>::identity(2) * Matrix::from_integers(&[[1], [0]]);
+        let printed = as_printed::new_noise(&parts, &z, &old);
+        assert_eq!(printed, [Matrix::from_integers(&[[noise + 1], [7]])]);
+        assert_ne!(printed[0], by_definition);
+        assert_eq!(parts.new_noise(&z, &old), [by_definition]);
     }
-    let (vector, matrix) = (Matrix::<Rational>::zeros(2, 1), Matrix::<Rational>::identity(2));
+    let mean = [parts.shifts(&z)[0].law_of_noise().mean().clone()];
+    assert_eq!(mean, [Matrix::from_integers(&[[1], [0]])]);
+    assert_eq!(parts.new_noise(&z, &mean), [Matrix::from_integers(&[[0], [0]])]);
+    assert_eq!(as_printed::new_noise(&parts, &z, &mean), [Matrix::from_integers(&[[2], [0]])]);
+    let world =
+        (1..100).map(|seed| World::random(seed, Noises::Correlated)).find(|w| (w.n, w.k) == (2, 1)).expect("some");
+    let at = &world.steps[0];
+    let (vector, matrix) = (at.regression() * &at.h * world.z(), at.w() - at.regression() * at.wv().transpose());
     assert_ne!(vector.columns(), matrix.rows());
 }
 
@@ -244,9 +325,12 @@ fn the_density_before_the_choice() {
             assert_eq!(w.above(v) * &new, world.noise(s));
         }
     }
-    // log E exp(−z V/Σᵛ ± ½ z²/Σᵛ) with V ~ N(0, Σᵛ) and Σᵛ = 2: z²/(2Σᵛ) ± z²/(2Σᵛ).
-    let of = |sign: i64| ratio(1, 4) + ratio(sign, 4);
-    assert_eq!((of(-1), of(1)), (ratio(0, 1), ratio(1, 2)));
+    // φ = 0, T = 0, H = 1, Σᵛ = 2, z = 1, by the crate.
+    let path = super::scalar([1, 1, 1, 0, 2], &[0]);
+    let parts = exact_kalman::nongaussian::Decomposition::new(&path, Choice::of_the_paper(1, 1)).expect("noisy");
+    let (z, first) = (number(ratio(1, 1)), ratio(1, 1));
+    let found = [parts.log_density(&z), as_printed::log_density(&parts, &z)].map(|log| log.log_moment(&first));
+    assert_eq!(found, [ratio(0, 1), ratio(1, 2)]);
 }
 
 /// SM-3.10, SM-3.11, SM-Z, SM-3.12, SM-3.13: with φ = π = 0, ζ = 0.

@@ -1,7 +1,7 @@
 //! What the paper prints beside what is right: each test computes both.
 
-use exact_kalman::nongaussian::as_printed::{log_expectation, statistics_with_printed_error};
-use exact_kalman::nongaussian::{Enclosed, InitialLaw, statistics};
+use exact_kalman::nongaussian::as_printed::{log_density, statistics_with_printed_error};
+use exact_kalman::nongaussian::{Choice, Decomposition, Enclosed, InitialLaw, statistics};
 use exact_kalman::scalar::{Rational, Scalar, ratio};
 use num_traits::Signed;
 
@@ -40,15 +40,20 @@ fn the_last_term_of_r_has_the_inverse_of_the_noise() {
 /// 1/2 for H = 1, Σᵛ = 2, z = 1. The expectation is that of a log-normal variable, written out.
 #[test]
 fn the_density_has_minus_one_half() {
-    let all = statistics(&scalar([1, 1, 1, 0, 2], &[0])).unwrap_or_else(|error| panic!("{error}"));
-    let (ratio_of_laws, z) = (all[1].likelihood_ratio(), number(ratio(1, 1)));
-    // L = exp(g + c), g ~ N(0, z²H²/Σᵛ): log E L = c + z²H²/(2Σᵛ).
+    let path = scalar([1, 1, 1, 0, 2], &[0]);
+    let all = statistics(&path).unwrap_or_else(|error| panic!("{error}"));
+    let parts = Decomposition::new(&path, Choice::of_the_paper(1, 1)).unwrap_or_else(|error| panic!("{error}"));
+    let (one, z) = (ratio(1, 1), number(ratio(1, 1)));
+    let (right, printed) = (parts.log_density(&z), log_density(&parts, &z));
+    // L = exp(g + c), g = −zHV°/Σᵛ ~ N(0, z²H²/Σᵛ): log E L = c + z²H²/(2Σᵛ).
     let variance = ratio(1, 2);
     let log_mean = |c: Rational| c.plus(&variance.times(&ratio(1, 2)));
-    assert_eq!(ratio_of_laws.log_moment(&ratio(1, 1), &z), log_mean(variance.times(&ratio(-1, 2))));
-    assert_eq!(log_mean(variance.times(&ratio(-1, 2))), ratio(0, 1));
-    assert_eq!(log_expectation(&ratio_of_laws, &z), log_mean(variance.times(&ratio(1, 2))));
-    assert_eq!(log_expectation(&ratio_of_laws, &z), ratio(1, 2));
+    let at_no_noise = [number(ratio(0, 1)).above(&number(ratio(0, 1)))];
+    assert_eq!((right.at(&at_no_noise), printed.at(&at_no_noise)), (ratio(-1, 4), ratio(1, 4)));
+    assert_eq!((log_mean(ratio(-1, 4)), log_mean(ratio(1, 4))), (ratio(0, 1), ratio(1, 2)));
+    assert_eq!((right.log_moment(&one), printed.log_moment(&one)), (ratio(0, 1), ratio(1, 2)));
+    assert_eq!(all[1].likelihood_ratio().log_moment(&one, &z), ratio(0, 1));
+    assert_eq!(all[1].likelihood_ratio().quadratic(&z), variance);
 }
 
 /// SM-Girsanov-a, SM-3.15: log E[Lˢ | z] = ½(s² − s) zᵀMz, of the log-normal law for any s; negative between 0 and 1.

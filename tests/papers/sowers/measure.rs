@@ -1,11 +1,12 @@
 //! Sections II.3 and III: under the new measure readings and initial condition are independent, and what follows.
 
 use exact_kalman::matrix::Matrix;
-use exact_kalman::nongaussian::InitialLaw;
-use exact_kalman::scalar::{Rational, ratio};
+use exact_kalman::nongaussian::as_printed::inverse_log_density;
+use exact_kalman::nongaussian::{Choice, Decomposition, InitialLaw, Statistics};
+use exact_kalman::scalar::{Dyadic, Interval, Rational, ratio};
 
 use super::girsanov::log_ratios;
-use super::world::{Dice, Noises, OfReadings, World, form, half, integrated, negated, product, stacked};
+use super::world::{Dice, Noises, OfReadings, World, form, half, integrated, negated, product, stacked, value};
 use super::{Q, scalar};
 
 const BOTH: &[Noises] = &[Noises::Correlated, Noises::Standard];
@@ -14,16 +15,16 @@ const BOTH: &[Noises] = &[Noises::Correlated, Noises::Standard];
 pub struct Changed {
     pub world: World,
     pub dice: Dice,
-    chi: Vec<Q>,
+    pub chi: Vec<Q>,
     /// The old sources in the new ones.
     new: Q,
-    x: Vec<Q>,
+    pub x: Vec<Q>,
     pub b: Vec<Q>,
     pub log: Vec<Q>,
 }
 
 impl Changed {
-    fn of((world, dice): (World, Dice)) -> Self {
+    pub fn of((world, dice): (World, Dice)) -> Self {
         let (psi, zero) = (world.psi(), Matrix::zeros(world.n, world.size()));
         let (mut chi, mut x, mut b) = (Vec::new(), vec![zero.clone()], vec![zero]);
         for (t, at) in world.steps.iter().enumerate() {
@@ -161,10 +162,33 @@ fn signs_of_the_quadratic_term() {
         assert_eq!(negated(&linear) + half(&in_z), negated(&changed.log[end]));
         assert_eq!(printed_inverse == negated(&changed.log[end]), in_z.is_zero());
     }
-    // −z V°/Σᵛ − ½ z²/Σᵛ at V° = 0, Σᵛ = 2; with V = V° + z: z V/Σᵛ − ½ z²/Σᵛ.
-    let log = ratio(-1, 4);
-    assert_eq!((-log.clone(), ratio(1, 2) - ratio(1, 4)), (ratio(1, 4), ratio(1, 4)));
-    assert_ne!(-log, ratio(-1, 4));
+    // −z V°/Σᵛ − ½ z²/Σᵛ at V° = 0, Σᵛ = 2.
+    let parts = Decomposition::new(&scalar([1, 1, 1, 0, 2], &[0]), Choice::of_the_paper(1, 1)).expect("noisy");
+    let (z, quiet) = (Matrix::identity(1), [Matrix::zeros(2, 1)]);
+    let (log, printed) = (parts.log_density(&z), inverse_log_density(&parts, &z));
+    assert_eq!(
+        (log.at(&quiet), log.inverse().at(&quiet), printed.at(&quiet)),
+        (ratio(-1, 4), ratio(1, 4), ratio(-1, 4))
+    );
+}
+
+/// SM-3.17, SM-3.18: the inverse of the crate is that of its density, it is exp(ξᵀB − ½ ξᵀMξ), and the printed one is this too once V
+/// stands for V°.
+#[test]
+fn the_inverse_density_in_either_noise() {
+    for mut changed in Changed::all(BOTH) {
+        let point = changed.world.point(&mut changed.dice);
+        let world = &changed.world;
+        let end = world.steps.len();
+        let data = vec![Matrix::zeros(world.k, 1); end];
+        let parts = Decomposition::new(&world.path(&data), Choice::of_the_paper(world.n, end)).expect("noisy");
+        let z = world.z() * &point;
+        let old: Vec<Q> = (0..end).map(|s| world.noise(s) * &point).collect();
+        let inverse = parts.log_density(&z).inverse();
+        let by_b = product(&world.z(), &changed.b[end]) - half(&form(&world.z(), &changed.m(end)));
+        assert_eq!(inverse.at(&old), value(&by_b, &point));
+        assert_eq!(inverse_log_density(&parts, &z).at(&parts.new_noise(&z, &old)), inverse.at(&old));
+    }
 }
 
 /// SM-P1, SM-B2, SM-joint: the density of the sources times L is that of the new sources, whatever ξ is. In these the noises are
@@ -333,14 +357,41 @@ fn the_mean_of_b_stays_in_the_numerator() {
 /// domain: Λ = 1, R = 2, ξ ~ N(0, 1), b = 0, φ = 1 is E exp(½ξ²).
 #[test]
 fn the_functional_integrates_the_start() {
-    // Variables (1, g) with ξ = 0, 1: log exp(bξ) for each atom.
-    let left_by_the_pair = [0, 1].map(|xi| ratio(xi, 1));
-    assert_ne!(left_by_the_pair[0], left_by_the_pair[1]);
-    let e = exact_kalman::scalar::Interval::exponential(&ratio(1, 1), 30).expect("small");
-    let right = |end: Option<Rational>| (end.expect("short") + ratio(1, 1)) * ratio(1, 2);
-    assert!(ratio(185, 100) < right(e.lower().value()) && right(e.upper().value()) < ratio(186, 100));
-    // ½(R − Λ)ξ² with ξ = g, for the R that is printed and for R = Λ.
-    let exponent = |r: i64| Matrix::diagonal(&[ratio(0, 1), ratio(r - 1, 2)]);
-    assert_eq!(integrated(&exponent(2), 1..2), None);
-    assert_eq!(integrated(&exponent(1), 1..2), Some((Matrix::zeros(2, 2), ratio(1, 1))));
+    // The statistics with Σ = 0, Λ = 0, b = 1, as values of the type of the crate.
+    let of = |information: i64, error: i64, linear: i64| Statistics {
+        information: Matrix::from_integers(&[[information]]),
+        error: Matrix::from_integers(&[[error]]),
+        linear: Matrix::from_integers(&[[linear]]),
+        ..exact_kalman::nongaussian::statistics(&scalar([1, 1, 1, 0, 1], &[0])).expect("noisy")[0].clone()
+    };
+    let coin = InitialLaw::atoms([0, 1].map(|xi| (ratio(1, 2), Matrix::from_integers(&[[xi]])))).expect("a law");
+    let terms = of(0, 0, 1).posterior(&coin).components;
+    // Over the pair alone, for one ξ: bξ + ½(R − Λ)ξ², two values; over ξ too: their mean.
+    let over_the_pair = |xi: i64| {
+        let b = integrated(&product(&Matrix::from_integers(&[[xi, 0]]), &Matrix::from_integers(&[[1, 0]])), 1..2);
+        b.expect("finite").0[(0, 0)].clone()
+    };
+    let printed = [0, 1].map(over_the_pair);
+    assert_ne!(printed[0], printed[1]);
+    assert_eq!(terms.iter().map(|part| part.evidence.exponent.clone()).collect::<Vec<_>>(), printed);
+    let end = |end: &Dyadic| end.value().expect("short");
+    let sum = terms.iter().map(|part| Interval::exponential(&part.evidence.exponent, 30).expect("small"));
+    let (lower, upper) = sum.fold((ratio(0, 1), ratio(0, 1)), |(lower, upper), value| {
+        (lower + end(value.lower()) * ratio(1, 2), upper + end(value.upper()) * ratio(1, 2))
+    });
+    assert!(ratio(185, 100) < lower && upper < ratio(186, 100));
+    // ½(R − Λ)ξ² with ξ = g ~ N(0, 1): infinite for R = 2, Λ = 1.
+    let exponent =
+        |now: &Statistics<Rational>| Matrix::diagonal(&[ratio(0, 1), -half(&now.precision())[(0, 0)].clone()]);
+    assert_eq!(integrated(&exponent(&of(1, 2, 0)), 1..2), None);
+    assert_eq!(integrated(&exponent(&of(1, 1, 0)), 1..2), Some((Matrix::zeros(2, 2), ratio(1, 1))));
+    // The condition holds where SM-T1 uses it.
+    for (world, mut dice) in World::all(BOTH) {
+        let data: Vec<Q> = world.steps.iter().map(|_| dice.matrix(world.k, 1)).collect();
+        for now in world.statistics(&data) {
+            let precision = now.precision();
+            assert!(precision.ldl().is_ok());
+            assert_eq!(precision.beside(&now.linear).rank(), precision.rank());
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! Sowers, Makowski 1988: the smallest examples, and what the paper prints beside what is right.
 
+mod change;
 mod characteristic;
 mod decomposition;
 mod errata;
@@ -7,8 +8,11 @@ mod estimates;
 mod girsanov;
 mod horizon;
 mod lemmas;
+mod limit;
 mod measure;
+mod moments;
 mod price;
+mod start;
 mod world;
 
 use exact_kalman::matrix::Matrix;

@@ -86,6 +86,8 @@ pub struct World {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Noises {
     Correlated,
+    /// Σʷᵛ = 0, Σᵛ any
+    Uncorrelated,
     /// Σʷᵛ = 0, Σᵛ = I
     Standard,
 }
@@ -104,8 +106,9 @@ impl World {
                 (true, true) => ratio(1, 1),
                 _ => ratio(0, 1),
             });
-            let shared = if standard { Matrix::zeros(k, r) } else { dice.matrix(k, r) };
-            let of_sensors = if standard { Matrix::zeros(n, k) } else { dice.matrix(n, k) };
+            let correlated = noises == Noises::Correlated;
+            let shared = if correlated { dice.matrix(k, r) } else { Matrix::zeros(k, r) };
+            let of_sensors = if correlated { dice.matrix(n, k) } else { Matrix::zeros(n, k) };
             At {
                 a: dice.matrix(n, n),
                 h: dice.matrix(k, n),
@@ -214,12 +217,17 @@ impl World {
         self.transitions(0, true)
     }
 
-    /// The model along readings, by the crate.
+    /// The model along readings, by the crate, from a known start at 0.
     pub fn path(&self, readings: &[Q]) -> Path<Rational> {
+        self.path_from(readings, &Matrix::zeros(self.n, 1), &Matrix::zeros(self.n, self.n))
+    }
+
+    /// The model along readings, by the crate, from N(mean, covariance).
+    pub fn path_from(&self, readings: &[Q], mean: &Q, covariance: &Q) -> Path<Rational> {
         let list = |of: fn(&At) -> Q| Coefficient::per_step(self.steps.iter().map(of));
         let system = System {
             timing: Timing::Departing,
-            initial: Initial::new(Before::Observation, Matrix::zeros(self.n, 1), Matrix::zeros(self.n, self.n)),
+            initial: Initial::new(Before::Observation, mean.clone(), covariance.clone()),
             transition: list(|at| at.a.clone()),
             observation: list(|at| at.h.clone()),
             noise: Noise::Covariances { process: list(At::w), cross: Some(list(At::wv)), observation: list(At::v) },
@@ -232,6 +240,11 @@ impl World {
 
     pub fn statistics(&self, readings: &[Q]) -> Vec<Statistics<Rational>> {
         statistics(&self.path(readings)).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    /// A point: 1, z, η and values of the sources, all drawn.
+    pub fn point(&self, dice: &mut Dice) -> Q {
+        Matrix::identity(1).above(&dice.matrix(self.size() - 1, 1))
     }
 
     /// The statistics at t = 1, 2, …, T+1, with X̄ and B̄ as matrices that multiply the column of all readings.
@@ -304,6 +317,11 @@ pub fn product(a: &Q, b: &Q) -> Q {
 /// The exponent aᵀMa.
 pub fn form(a: &Q, middle: &Q) -> Q {
     a.transpose().congruence(middle)
+}
+
+/// uᵀMu
+pub fn value(exponent: &Q, u: &Q) -> Rational {
+    form(u, exponent)[(0, 0)].clone()
 }
 
 pub fn half(exponent: &Q) -> Q {
