@@ -9,7 +9,7 @@
 //! * [`Statistics::linear`] is the best affine estimate, inverse-free in Δ; [`Statistics::posterior`] the conditional
 //!   law, a mixture whose laws are exact and whose weights are an exact exponential each;
 //! * [`Posterior::weights`] encloses these weights, [`Posterior::mean`] the best estimate and [`Posterior::covariance`] its error, each entry a
-//!   fraction or irrational and to any number of digits;
+//!   fraction or irrational and to any number of digits; [`Averages`] computes the exponentials for all of them once;
 //! * [`Posterior::characteristic`] is the conditional characteristic function, and [`Statistics::price_of_linearity`] encloses how much the
 //!   best affine estimate loses on average;
 //! * [`as_printed`] keeps the wrong forms of the paper, so that the difference can be seen.
@@ -21,18 +21,22 @@
 pub mod as_printed;
 mod average;
 mod characteristic;
+mod classes;
+mod enclosure;
 mod girsanov;
 mod initial_law;
 mod linear;
 mod moments;
+mod pairs;
 mod posterior;
 mod price;
 mod quadrature;
 mod recursion;
 mod statistics;
 
-pub use average::{Enclosed, TooWide};
+pub use average::{Average, Enclosed, Quantity, TooWide};
 pub use characteristic::{CharacteristicFunction, CharacteristicTerm};
+pub use enclosure::Averages;
 pub use girsanov::LikelihoodRatio;
 pub use initial_law::{Component, InitialLaw, InitialLawError};
 pub use linear::Linear;

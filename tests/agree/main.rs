@@ -1,6 +1,8 @@
 //! Every algorithm by two routes: recursion, one-shot conditioning, other scalars, exact finite laws.
 
 mod ahead;
+mod averages;
+mod bayes_digits;
 mod beyond;
 mod diffuse;
 mod draws;
