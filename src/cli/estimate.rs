@@ -9,10 +9,11 @@ use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input;
 use super::numbers::{Numbers, laid_out};
+use super::proved::{proved, written};
 use crate::matrix::Matrix;
 use crate::model::Path;
 use crate::nongaussian::{
-    Component, Enclosed, InitialLaw, InitialLawError, Linear, Posterior, PriceError, StatisticsError, TooWide,
+    Average, Component, Enclosed, InitialLaw, InitialLawError, Linear, Posterior, PriceError, StatisticsError,
     statistics,
 };
 use crate::protocol::{CaseError, Decimal, EstimateCase};
@@ -27,8 +28,9 @@ Examples:
   exact-kalman estimate examples/estimate/slab.json --format json
 
 Every digit is proved: irrational numbers are enclosed until both ends round alike. With --exact
-they are decimals followed by `…`. Exit codes: 0 all estimated, 2 the file is refused, with the
-place and the reason, or other trouble";
+they are decimals of 17 digits followed by `…`. `<2^-N` bounds what is closer to zero than any
+decimal that is computed, `unknown (…)` says why an entry has no digits. Exit codes: 0 all
+estimated, 2 the file is refused, with the place and the reason, or other trouble";
 
 /// Print best and best affine predictions of the next state, for a start that is a mixture of Gaussian laws
 #[derive(clap::Args, Debug)]
@@ -70,8 +72,7 @@ impl Estimate {
         let first = if self.last { all.len().saturating_sub(1) } else { 1 };
         for (t, now) in all.iter().enumerate().skip(first.max(1)) {
             let (posterior, linear) = (now.posterior(&law), now.linear(&law));
-            let mut shown =
-                self.step(&posterior, &linear).map_err(|error| refused(format!("step {}: {error}", t - 1)))?;
+            let mut shown = self.step(t - 1, &posterior, &linear);
             if self.price {
                 let price = price(now.price_of_linearity(&law, PRICE_BITS));
                 shown.push(("price of linearity", "price", Matrix::column(vec![price])));
@@ -95,57 +96,30 @@ impl Estimate {
     /// What is shown of a step: names for people and for programs.
     fn step(
         &self,
+        step: usize,
         posterior: &Posterior<Rational>,
         linear: &Linear<Rational>,
-    ) -> Result<Vec<(&'static str, &'static str, Shown)>, TooWide> {
-        let column = |of: &dyn Fn(u64) -> Result<Vec<Enclosed>, TooWide>| -> Result<Shown, TooWide> {
-            self.proved(|bits| of(bits).map(Matrix::column))
+    ) -> Vec<(&'static str, &'static str, Shown)> {
+        let mut averages = posterior.averages();
+        let columns = [averages.mean(), averages.difference(linear), averages.weights()];
+        let covariance = averages.covariance();
+        let mut proved = |all: &Matrix<Average>| {
+            all.map(|number| {
+                let text = proved(&mut averages, number, self.numbers);
+                text.unwrap_or_else(|reason| format!("unknown ({}, after step {step}: {reason})", number.quantity))
+            })
         };
+        let [mean, difference, weights] = columns.map(|column| proved(&Matrix::column(column)));
         let fractions = |matrix: &Matrix<Rational>| matrix.map(|entry| self.numbers.text(entry));
-        Ok(vec![
-            ("best estimate", "mmse", column(&|bits| posterior.mean(bits))?),
+        vec![
+            ("best estimate", "mmse", mean),
             ("best affine estimate", "lmmse", fractions(&linear.estimate)),
-            ("difference", "difference", column(&|bits| posterior.difference(linear, bits))?),
-            ("probabilities", "weights", column(&|bits| posterior.weights(bits))?),
-            ("covariance", "covariance", self.proved(|bits| posterior.covariance(bits))?),
+            ("difference", "difference", difference),
+            ("probabilities", "weights", weights),
+            ("covariance", "covariance", proved(&covariance)),
             ("covariance of the affine error", "linear_covariance", fractions(&linear.covariance)),
-        ])
+        ]
     }
-
-    /// All entries rounded correctly: with more and more bits, until both ends of each round alike. Irrational numbers are
-    /// no ties, so this ends.
-    fn proved(&self, of: impl Fn(u64) -> Result<Matrix<Enclosed>, TooWide>) -> Result<Shown, TooWide> {
-        let mut bits = u64::from(self.numbers.digits) * 4 + 16;
-        loop {
-            let found = of(bits)?;
-            if let Ok(texts) = found.try_map(|entry| self.rounded(entry).ok_or(())) {
-                return Ok(texts);
-            }
-            bits *= 2;
-        }
-    }
-
-    fn rounded(&self, value: &Enclosed) -> Option<String> {
-        let interval = match value {
-            Enclosed::Exact(value) => return Some(self.numbers.text(value)),
-            Enclosed::Between(interval) => interval,
-        };
-        let (Some(lower), Some(upper)) = (written(interval.lower()), written(interval.upper())) else {
-            // Whatever its digits are, it is closer to zero than the end that is farther away.
-            let (sign, far) =
-                if interval.upper().is_negative() { (">-", interval.lower()) } else { ("<", interval.upper()) };
-            return Some(format!("{sign}2^{}", far.magnitude().unwrap_or_default()));
-        };
-        let [lower, upper] = [lower, upper].map(|end| Decimal::rounded(&end, self.numbers.digits));
-        let mark = if self.numbers.exact { "…" } else { "" };
-        (lower == upper).then(|| format!("{lower}{mark}"))
-    }
-}
-
-/// A number that is not too small or too large to be written out; of those only the power of two is told.
-fn written(end: &Dyadic) -> Option<Rational> {
-    const MOST: u64 = 1 << 16;
-    end.magnitude().filter(|size| size.unsigned_abs() <= MOST).and(end.value())
 }
 
 /// The model, and the law of its start; refusals name the place.

@@ -2,11 +2,11 @@
 
 use num_bigint::BigInt;
 
-use super::average::{MOST_BITS, relative_sizes};
+use super::enclosure::{MOST_BITS, sizes, width};
 use super::posterior::half;
-use super::{Evidence, Posterior, TooWide};
+use super::{Evidence, Posterior, Quantity, TooWide};
 use crate::matrix::Matrix;
-use crate::scalar::{Dyadic, Interval, OrderedField, Rational, Toward};
+use crate::scalar::{Dyadic, Exponentials, Interval, OrderedField, Rational};
 
 /// What a component adds: its evidence times `exp(−damping + i phase)`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,28 +54,32 @@ impl CharacteristicFunction<Rational> {
     ///
     /// # Errors
     ///
-    /// [`TooWide`] if that takes too many bits of work.
+    /// [`TooWide`] if that takes too many bits of work, as for a phase beyond 2^131072.
     pub fn value(&self, bits: u64) -> Result<[Interval; 2], TooWide> {
         let part = Dyadic::new(BigInt::from(1), -i64::try_from(bits).unwrap_or(i64::MAX));
-        let is_narrow = |found: &Interval| found.upper().plus(&found.lower().negated(), 64, Toward::Above) <= part;
         let mut work = bits.saturating_add(32);
-        while work <= MOST_BITS {
+        // Widths here are absolute, so that little more is needed than what is asked for.
+        let most = work.saturating_mul(4).min(MOST_BITS);
+        while work <= most {
             if let Some(found) = self.enclosed(work)
-                && found.iter().all(is_narrow)
+                && found.iter().all(|found| width(found) <= part)
             {
                 return Ok(found);
             }
             work *= 2;
         }
-        Err(TooWide { bits, most: MOST_BITS })
+        Err(TooWide { quantity: Quantity::Characteristic, bits, most, known: None })
     }
 
     fn enclosed(&self, work: u64) -> Option<[Interval; 2]> {
-        let sizes = relative_sizes(self.terms.iter().map(|term| &term.evidence), work).ok()?;
+        let evidence: Vec<Evidence<Rational>> = self.terms.iter().map(|term| term.evidence.clone()).collect();
+        let largest = evidence.iter().map(|evidence| &evidence.exponent).max()?;
+        let sizes = sizes(&evidence, largest, work).ok()?;
+        let exponentials = Exponentials::new(work);
         let (mut real, mut imaginary, mut whole) = (Interval::zero(), Interval::zero(), Interval::zero());
         for (term, size) in self.terms.iter().zip(&sizes) {
             // No damping is negative.
-            let damped = size.times(&Interval::exponential(&-&term.damping, work).ok()?, work);
+            let damped = size.times(&exponentials.of(&-&term.damping).ok()?, work);
             let (cosine, sine) = Interval::cosine_and_sine(&term.phase, work);
             real = real.plus(&damped.times(&cosine, work), work);
             imaginary = imaginary.plus(&damped.times(&sine, work), work);

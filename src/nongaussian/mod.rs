@@ -9,7 +9,7 @@
 //! * [`Statistics::linear`] is the best affine estimate, inverse-free in Δ; [`Statistics::posterior`] the conditional
 //!   law, a mixture whose laws are exact and whose weights are an exact exponential each;
 //! * [`Posterior::weights`] encloses these weights, [`Posterior::mean`] the best estimate and [`Posterior::covariance`] its error, each entry a
-//!   fraction or irrational and to any number of digits;
+//!   fraction or irrational and to any number of digits; [`Averages`] computes the exponentials for all of them once;
 //! * [`Posterior::characteristic`] is the conditional characteristic function, and [`Statistics::price_of_linearity`] encloses how much the
 //!   best affine estimate loses on average;
 //! * [`Decomposition`] splits the state into noise and start in every way the paper allows, with the density of the new measure that
@@ -24,22 +24,26 @@
 pub mod as_printed;
 mod average;
 mod characteristic;
+mod classes;
 mod decomposition;
+mod enclosure;
 mod girsanov;
 mod horizon;
 mod initial_law;
 mod linear;
 mod log_density;
 mod moments;
+mod pairs;
 mod posterior;
 mod price;
 mod quadrature;
 mod recursion;
 mod statistics;
 
-pub use average::{Enclosed, TooWide};
+pub use average::{Average, Enclosed, Quantity, TooWide};
 pub use characteristic::{CharacteristicFunction, CharacteristicTerm};
 pub use decomposition::{Affine, Choice, Decomposition};
+pub use enclosure::Averages;
 pub use girsanov::{LikelihoodRatio, Shift, log_likelihood_ratios};
 pub use horizon::{HorizonError, InfiniteHorizon, LimitMeasure};
 pub use initial_law::{Component, InitialLaw, InitialLawError};

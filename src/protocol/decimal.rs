@@ -11,9 +11,9 @@ use crate::scalar::Rational;
 /// `±significand · 10^exponent`, a decimal with few digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decimal {
-    negative: bool,
-    significand: BigUint,
-    exponent: i64,
+    pub(super) negative: bool,
+    pub(super) significand: BigUint,
+    pub(super) exponent: i64,
 }
 
 impl Decimal {
@@ -42,14 +42,19 @@ impl Decimal {
             exponent += 1;
             significand = scaled_and_rounded(numerator, denominator, exponent);
         }
-        while !significand.is_zero() && (&significand % 10_u8).is_zero() {
-            significand /= 10_u8;
-            exponent += 1;
-        }
-        Self { negative, significand, exponent }
+        Self { negative, significand, exponent }.without_zeros()
     }
 
-    /// The value, exactly.
+    /// The same, with a significand that does not end in 0.
+    pub(super) fn without_zeros(mut self) -> Self {
+        while !self.significand.is_zero() && (&self.significand % 10_u8).is_zero() {
+            self.significand /= 10_u8;
+            self.exponent += 1;
+        }
+        self
+    }
+
+    /// The value, exactly; it takes memory in proportion to the exponent.
     pub fn value(&self) -> Rational {
         let sign = if self.negative { Sign::Minus } else { Sign::Plus };
         let significand = BigInt::from_biguint(sign, self.significand.clone());

@@ -18,6 +18,7 @@ mod case;
 mod case_error;
 mod datum;
 mod decimal;
+mod decimal_of_interval;
 mod document;
 mod entry;
 mod estimate_case;

@@ -19,8 +19,10 @@ pub enum Toward {
 
 /// `mantissa · 2^exponent`; the mantissa is odd, or all is zero. So equal means equal.
 ///
-/// Sums of numbers of very different size cost no more than their bits: 1 + 2^(−10¹²) is 1 or a little more. Exponents
-/// beyond ±2⁶³ saturate, and are then no longer right; exponentials of this crate stay within ±2⁶³ by a wide margin.
+/// Sums of numbers of very different size cost no more than their bits: 1 + 2^(−10¹²) is 1 or a little more. Results stay
+/// within 2^±9·10¹⁸ about. Below that they are rounded as they are told, to zero or to the least number that is kept.
+/// Above it, where a bound is wanted that there is not, an operation panics: exponentials of fractions above 2⁶² are
+/// refused before they come so far.
 ///
 /// # Examples
 ///
@@ -39,13 +41,19 @@ pub struct Dyadic {
 /// Beyond this exponent a number is not written out as a fraction.
 const MOST_BITS: u64 = 1 << 24;
 
+/// The largest magnitude of a result, and the negative of the least: exponents fit into 64 bits whatever the mantissa.
+const FARTHEST: i64 = i64::MAX - (1 << 40);
+
 impl Dyadic {
     /// `mantissa · 2^exponent`
+    ///
+    /// # Panics
+    ///
+    /// If its exponent does not fit into 64 bits once the mantissa is odd.
     pub fn new(mantissa: BigInt, exponent: i64) -> Self {
-        match mantissa.trailing_zeros() {
-            None => Self { mantissa, exponent: 0 },
-            Some(even) => Self { mantissa: mantissa >> even, exponent: exponent.saturating_add(length(even)) },
-        }
+        let Some(even) = mantissa.trailing_zeros() else { return Self { mantissa, exponent: 0 } };
+        let exponent = i64::try_from(even).ok().and_then(|even| exponent.checked_add(even));
+        Self { mantissa: mantissa >> even, exponent: exponent.unwrap_or_else(|| panic!("{BEYOND}")) }
     }
 
     /// Zero.
@@ -89,38 +97,34 @@ impl Dyadic {
 
     /// The e with 2^(e−1) ≤ |x| < 2^e; nothing for zero.
     pub fn magnitude(&self) -> Option<i64> {
-        (!self.is_zero()).then(|| self.exponent.saturating_add(length(self.mantissa.bits())))
+        (!self.is_zero()).then(|| i64::try_from(self.size()).unwrap_or(i64::MAX))
     }
 
     /// The number with at most so many bits.
     pub fn shortened(&self, bits: u64, toward: Toward) -> Self {
-        let excess = self.mantissa.bits().saturating_sub(bits.max(1));
-        if excess == 0 {
-            return self.clone();
-        }
-        // Shifts of integers round below, of negative ones too.
-        let below = &self.mantissa >> excess;
-        let mantissa = if toward == Toward::Above { below + 1 } else { below };
-        Self::new(mantissa, self.exponent.saturating_add(length(excess)))
+        bounded(self.mantissa.clone(), self.exponent.into(), bits, toward)
     }
 
     /// The sum.
+    ///
+    /// # Panics
+    ///
+    /// As every operation: if a bound is wanted beyond the largest number that is kept.
     pub fn plus(&self, other: &Self, bits: u64, toward: Toward) -> Self {
-        let (Some(own), Some(others)) = (self.magnitude(), other.magnitude()) else {
-            return if self.is_zero() { other.shortened(bits, toward) } else { self.shortened(bits, toward) };
-        };
-        let (large, small) = if own >= others { (self, other) } else { (other, self) };
+        if self.is_zero() || other.is_zero() {
+            return if self.is_zero() { other } else { self }.shortened(bits, toward);
+        }
+        let (large, small) = if self.size() >= other.size() { (self, other) } else { (other, self) };
         // What lies below all bits that are kept only decides where the rest is rounded to.
-        let least = large.exponent.min(own.max(others).saturating_sub(length(bits) + 2));
-        let small = if small.exponent.saturating_add(length(small.mantissa.bits())) < least.saturating_sub(2) {
-            let sign = if small.is_negative() { -1 } else { 1 };
-            Self { mantissa: BigInt::from(sign), exponent: least.saturating_sub(2) }
+        let least = i128::from(large.exponent).min(large.size() - i128::from(bits) - 2);
+        let (mantissa, exponent) = if small.size() < least - 2 {
+            (BigInt::from(if small.is_negative() { -1 } else { 1 }), least - 2)
         } else {
-            small.clone()
+            (small.mantissa.clone(), small.exponent.into())
         };
-        let exponent = large.exponent.min(small.exponent);
-        let lifted = |x: &Self| &x.mantissa << x.exponent.saturating_sub(exponent).unsigned_abs();
-        Self::new(lifted(large) + lifted(&small), exponent).shortened(bits, toward)
+        let common = exponent.min(large.exponent.into());
+        let sum = lifted(&large.mantissa, i128::from(large.exponent) - common) + lifted(&mantissa, exponent - common);
+        bounded(sum, common, bits, toward)
     }
 
     /// The number with the other sign.
@@ -129,32 +133,77 @@ impl Dyadic {
     }
 
     /// The product.
+    ///
+    /// # Panics
+    ///
+    /// As [`Dyadic::plus`].
     pub fn times(&self, other: &Self, bits: u64, toward: Toward) -> Self {
-        let exponent = self.exponent.saturating_add(other.exponent);
-        Self::new(&self.mantissa * &other.mantissa, exponent).shortened(bits, toward)
+        let exponent = i128::from(self.exponent) + i128::from(other.exponent);
+        bounded(&self.mantissa * &other.mantissa, exponent, bits, toward)
     }
 
     /// The quotient; nothing where the divisor is zero.
+    ///
+    /// # Panics
+    ///
+    /// As [`Dyadic::plus`].
     pub fn over(&self, divisor: &Self, bits: u64, toward: Toward) -> Option<Self> {
-        let exponent = self.exponent.saturating_sub(divisor.exponent);
+        let exponent = i128::from(self.exponent) - i128::from(divisor.exponent);
         (!divisor.is_zero()).then(|| quotient(&self.mantissa, &divisor.mantissa, exponent, bits, toward))
+    }
+
+    /// The magnitude, which may lie a little beyond what an exponent may.
+    fn size(&self) -> i128 {
+        i128::from(self.exponent) + i128::from(self.mantissa.bits())
     }
 }
 
+const BEYOND: &str = "a number beyond 2^(2^63) has no bound here";
+
 /// `numerator / denominator · 2^exponent` to so many bits.
-fn quotient(numerator: &BigInt, denominator: &BigInt, exponent: i64, bits: u64, toward: Toward) -> Dyadic {
+fn quotient(numerator: &BigInt, denominator: &BigInt, exponent: i128, bits: u64, toward: Toward) -> Dyadic {
     // The quotient of integers gets at least `bits` bits.
     let shift = (bits + 1 + denominator.bits()).saturating_sub(numerator.bits());
     let (mut whole, rest) = (numerator << shift).div_mod_floor(denominator);
     if toward == Toward::Above && !rest.is_zero() {
         whole += 1;
     }
-    Dyadic::new(whole, exponent.saturating_sub(length(shift))).shortened(bits, toward)
+    bounded(whole, exponent - i128::from(shift), bits, toward)
 }
 
-/// A count of bits as a difference of exponents.
-fn length(bits: u64) -> i64 {
-    i64::try_from(bits).unwrap_or(i64::MAX)
+/// `mantissa · 2^exponent` to so many bits, and within the numbers that are kept.
+fn bounded(mantissa: BigInt, exponent: i128, bits: u64, toward: Toward) -> Dyadic {
+    let excess = mantissa.bits().saturating_sub(bits.max(1));
+    let (mantissa, exponent) = if excess == 0 {
+        (mantissa, exponent)
+    } else {
+        // Shifts of integers round below, of negative ones too.
+        let below = &mantissa >> excess;
+        (if toward == Toward::Above { below + 1 } else { below }, exponent + i128::from(excess))
+    };
+    let Some(even) = mantissa.trailing_zeros() else { return Dyadic::zero() };
+    let (mantissa, exponent) = (mantissa >> even, exponent + i128::from(even));
+    let size = exponent + i128::from(mantissa.bits());
+    let outward = mantissa.is_negative() == (toward == Toward::Below);
+    let end = |magnitude: i64| {
+        let one = if mantissa.is_negative() { -BigInt::one() } else { BigInt::one() };
+        Dyadic { mantissa: one, exponent: magnitude - 1 }
+    };
+    if size < -i128::from(FARTHEST) {
+        // |x| < 2^−FARTHEST
+        return if outward { end(1 - FARTHEST) } else { Dyadic::zero() };
+    }
+    if size > FARTHEST.into() {
+        assert!(!outward, "{BEYOND}");
+        return end(FARTHEST);
+    }
+    let exponent = i64::try_from(exponent).unwrap_or_else(|_| panic!("{BEYOND}"));
+    Dyadic { mantissa, exponent }
+}
+
+/// `mantissa · 2^places`; there are few.
+fn lifted(mantissa: &BigInt, places: i128) -> BigInt {
+    mantissa << u64::try_from(places).unwrap_or_else(|_| unreachable!("the common exponent is the least"))
 }
 
 impl PartialOrd for Dyadic {
@@ -166,7 +215,7 @@ impl PartialOrd for Dyadic {
 impl Ord for Dyadic {
     fn cmp(&self, other: &Self) -> Ordering {
         let signs = self.mantissa.sign().cmp(&other.mantissa.sign());
-        let sizes = self.magnitude().cmp(&other.magnitude());
+        let sizes = self.size().cmp(&other.size());
         if signs != Ordering::Equal || self.is_zero() {
             return signs;
         }

@@ -25,7 +25,7 @@ mod residue;
 mod taylor;
 
 pub use dyadic::{Dyadic, Toward};
-pub use exponential::Overflow;
+pub use exponential::{Exponentials, Overflow};
 pub use float::{exact_value, nearest_double, nearest_single};
 pub(crate) use integer::common_divisor;
 pub use interval::Interval;

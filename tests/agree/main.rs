@@ -1,7 +1,9 @@
 //! Every algorithm by two routes: recursion, one-shot conditioning, other scalars, exact finite laws.
 
 mod ahead;
+mod averages;
 mod bayes;
+mod bayes_digits;
 mod beyond;
 mod diffuse;
 mod draws;

@@ -1,11 +1,14 @@
 //! `estimate`: proved digits, and refusals with their place.
 
+use std::collections::BTreeSet;
+
 use serde_json::Value;
 
 use crate::program::{feed, run};
 
 const COIN: &str = "examples/estimate/coin.json";
 const SLAB: &str = "examples/estimate/slab.json";
+const OUTPUT: &str = include_str!("../../schema/estimates.schema.json");
 
 fn value<'a>(text: &'a str, quantity: &str) -> &'a str {
     let line = text.lines().find_map(|line| line.trim_start().strip_prefix(&format!("{quantity}  "))).expect(quantity);
@@ -125,9 +128,103 @@ fn refusals_name_the_place() {
     );
 }
 
+/// The coin with other values than 0 and 1, and no noise of the process, so that the state remains one of them.
+fn still_coin(values: &[&str]) -> String {
+    let component = |value: &&str| format!(r#"{{"weight": "1/{}", "mean": ["{value}"]}}"#, values.len());
+    let components: Vec<String> = values.iter().map(component).collect();
+    let mut case: Value = serde_json::from_str(&std::fs::read_to_string(COIN).unwrap()).unwrap();
+    case["initial_law"] = serde_json::from_str(&format!("[{}]", components.join(", "))).unwrap();
+    case["noise"]["process"] = serde_json::json!([["0"]]);
+    case.to_string()
+}
+
 #[test]
-fn numbers_too_small_to_be_written_are_told_by_their_size() {
+fn digits_of_any_size() {
+    // exp(−(10⁶ − 1)²/4 + 1/4), by mpmath.
     let far = std::fs::read_to_string(COIN).unwrap().replace(r#""mean": ["1"]"#, r#""mean": ["1000000"]"#);
-    let out = feed(&["estimate", "-", "--digits", "5"], &far).quietly(0);
-    assert!(value(&out, "probabilities").contains("2^-360673"), "{out}");
+    let out = feed(&["estimate", "-", "--digits", "30"], &far).quietly(0);
+    assert_eq!(value(&out, "best estimate"), "2.67913571025738870778588971739e-108573403323");
+    assert_eq!(value(&out, "probabilities"), "[1, 2.67913571025738870778588971739e-108573403329]");
+    // Exponents beyond 2⁶² are only bounded; the other entries are as they are: μ = 5·10⁹ and Δ = μ² make the affine estimate
+    // 1 + 2(μ − 1)/(Δ + 2).
+    let out = feed(&["estimate", "-"], &far.replace("1000000", "10000000000")).quietly(0);
+    assert_eq!(value(&out, "probabilities"), "[1, <2^-4611686018427387903]");
+    assert!(value(&out, "best estimate").starts_with("<2^-46116860184273878"), "{out}");
+    assert_eq!((value(&out, "covariance"), value(&out, "best affine estimate")), ("1", "1.0000000004"));
+}
+
+#[test]
+fn ties_are_decided_however_near() {
+    // 3/2, and a little more or less: exp(−10¹⁰/4), and beyond all exponents.
+    for (other, expected) in [("100001", "2"), ("-100001", "1"), ("100000000001", "2"), ("-100000000001", "1")] {
+        let out = feed(&["estimate", "-", "--digits", "1"], &still_coin(&["3/2", other])).quietly(0);
+        assert_eq!((value(&out, "best estimate"), out.lines().count()), (expected, 14), "{out}");
+    }
+}
+
+#[test]
+fn what_is_unknown_is_told_in_its_place() {
+    let out = feed(&["estimate", "-"], &still_coin(&["0", "10000000000", "-10000000000"])).quietly(0);
+    let reason = "unknown (entry 0 of the best estimate, after step 0: its absolute value is below 2^-46116860184";
+    assert!(value(&out, "best estimate").starts_with(reason), "{out}");
+    assert!(value(&out, "probabilities").starts_with("[1, <2^-46116860184"), "{out}");
+    assert!(
+        out.lines().count() == 14 && out.contains("unknown (entry 0 of the best estimate, after step 1: "),
+        "{out}"
+    );
+}
+
+#[test]
+fn exact_marks_what_is_rounded() {
+    // By mpmath from the joint law of the readings: 3.815789627135379203478…, 0.642456254927749805263….
+    let out = run(&["estimate", SLAB, "--exact", "--last"]).quietly(0);
+    assert_eq!(value(&out, "best estimate"), "[3.8157896271353792…, 0.64245625492774981…]");
+    assert_eq!(value(&out, "best affine estimate"), "[952/229, 411/458]");
+    let json = run(&["estimate", SLAB, "--exact", "--last", "--format", "json"]).quietly(0);
+    let answer: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(answer["steps"][0]["mmse"], serde_json::json!(["3.8157896271353792…", "0.64245625492774981…"]));
+    let help = run(&["estimate", "--help"]).quietly(0);
+    assert!(help.contains("followed by `…`") && help.contains("unknown (…)"), "{help}");
+    let schema: Value = serde_json::from_str(OUTPUT).unwrap();
+    assert!(schema["$defs"]["number"]["description"].as_str().unwrap().contains('…'));
+}
+
+#[test]
+fn digits_of_another_program() {
+    // By mpmath from the joint law of the readings.
+    let out = run(&["estimate", SLAB, "--digits", "40", "--last"]).quietly(0);
+    assert!(!out.contains('…'), "{out}");
+    for digits in [
+        "[3.815789627135379203478403040255092155588, 0.6424562549277498052638742700571354761726]",
+        "[[2.229946318702349009563131106560897858259, 1.018359917964420593807137892898803734167]",
+        "[0.5466853675692276313223271573806100046471, 0.4533146324307723686776728426193899953529]",
+    ] {
+        assert!(out.contains(digits), "{digits}: {out}");
+    }
+    // 300 atoms, which must not take the square of their number.
+    let mut case: Value = serde_json::from_str(&std::fs::read_to_string(COIN).unwrap()).unwrap();
+    let atom = |i: u32| serde_json::json!({"weight": "1/300", "mean": [(i * 7 % 300).to_string()]});
+    case["initial_law"] = (0..300).map(atom).collect();
+    case["observations"] = serde_json::json!([["3"]]);
+    let out = feed(&["estimate", "-", "--digits", "24"], &case.to_string()).quietly(0);
+    assert_eq!(value(&out, "best estimate"), "3.02374490141924747699494");
+    assert_eq!(value(&out, "covariance"), "2.91282972630840649346271");
+}
+
+/// Every key of the output, and nothing else, is in its schema; required are all but the price.
+#[test]
+fn the_output_has_its_schema() {
+    let schema: Value = serde_json::from_str(OUTPUT).unwrap();
+    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<BTreeSet<_>>();
+    let required = |schema: &Value| {
+        let names = schema["required"].as_array().unwrap().iter();
+        names.map(|name| name.as_str().unwrap().to_owned()).collect::<BTreeSet<_>>()
+    };
+    let answer = |arguments: &[&str]| -> Value {
+        serde_json::from_str(&run(&[&["estimate", COIN, "--format", "json"], arguments].concat()).quietly(0)).unwrap()
+    };
+    let step = &schema["properties"]["steps"]["items"];
+    let plain = answer(&[]);
+    assert_eq!((keys(&plain), keys(&plain["steps"][0])), (required(&schema), required(step)));
+    assert_eq!(keys(&answer(&["--price"])["steps"][1]), keys(&step["properties"]));
 }

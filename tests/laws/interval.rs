@@ -1,6 +1,6 @@
 //! Dyadic numbers rounded in a direction, and what intervals enclose.
 
-use exact_kalman::scalar::{Dyadic, Interval, Rational, Taylor, Toward, Undefined, ratio};
+use exact_kalman::scalar::{Dyadic, Exponentials, Interval, Rational, Taylor, Toward, Undefined, ratio};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use quickcheck::QuickCheck;
@@ -135,6 +135,49 @@ fn huge_exponents() {
     assert!(nothing.lower().is_zero() && nothing.upper().magnitude() < Some(-(1 << 60)));
 }
 
+/// exp(−2⁶²), the last that is told from 0, has the magnitude ⌊−2⁶²/ln 2⌋ + 1. Its square and its square over 2^(2⁶²) lie beyond the
+/// least number: enclosed by it and 0, on the side that they are told.
+#[test]
+fn results_too_small_are_rounded_as_told() {
+    let last = Interval::exponential(&ratio(-(1 << 62), 1), 60).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(last.lower().magnitude(), Some(-6_653_256_548_922_161_245));
+    let square = last.times(&last, 60);
+    assert!(square.lower().is_zero() && !square.upper().is_zero() && square.upper() < last.lower());
+    let large = Interval::exponential(&ratio(1 << 62, 1), 60).unwrap_or_else(|error| panic!("{error}"));
+    let quotient = last.over(&large, 60).unwrap_or_else(|error| panic!("{error}"));
+    assert!(quotient.lower().is_zero() && quotient.upper() == square.upper());
+    let negative = last.times(&last.negated(), 60);
+    assert!(negative.upper().is_zero() && negative.lower().is_negative() && negative.lower() > last.negated().upper());
+    // Sums of what is left are still right: 1 ± exp(−2⁶²)² lies next to 1, on both sides of it.
+    let one = Dyadic::one();
+    assert!(one.plus(square.upper(), 60, Toward::Above) > one && one.plus(negative.lower(), 60, Toward::Below) < one);
+    // And what is too large has a lower bound, but no upper one.
+    let ends = large.lower().times(large.lower(), 60, Toward::Below);
+    assert!(ends > *large.upper());
+    let above = std::panic::catch_unwind(|| large.upper().times(large.upper(), 60, Toward::Above));
+    assert!(above.is_err());
+}
+
+/// e to 1500 digits, as the sum of 1/n! for n < 600, exact but for 2/600! < 10⁻¹⁴⁰⁷; and exponentials of one precision agree with
+/// those computed one by one.
+#[test]
+fn exponentials_to_many_bits() {
+    let (mut sum, mut term) = (ratio(0, 1), ratio(1, 1));
+    for n in 1..=600 {
+        sum += &term;
+        term /= ratio(n, 1);
+    }
+    let bits = 4600;
+    let found = Interval::exponential(&ratio(1, 1), bits).unwrap_or_else(|error| panic!("{error}"));
+    let width = value(found.upper()) - value(found.lower());
+    assert!(value(found.lower()) <= &sum + &term * ratio(2, 1) && sum <= value(found.upper()));
+    assert!(width * Rational::from(BigInt::from(1) << (bits - 2)) <= ratio(1, 1));
+    let exponentials = Exponentials::new(100);
+    for x in [ratio(-7, 3), ratio(1, 1_000_000), ratio(1 << 40, 3), ratio(0, 1)] {
+        assert_eq!(exponentials.of(&x), Interval::exponential(&x, 100));
+    }
+}
+
 /// Products and quotients of intervals hold those of their members, for all signs; a divisor around zero is undecided.
 #[test]
 fn intervals_enclose_all_results() {
@@ -159,7 +202,8 @@ fn intervals_enclose_all_results() {
     QuickCheck::new().tests(2000).quickcheck(property as fn((i16, i16), (i16, i16)) -> bool);
 }
 
-/// Published digits: π to 50, cos 1, sin 1, cos 100, sin 100 to 30.
+/// Published digits: π to 50, cos 1, sin 1, cos 100, sin 100 to 30; of 10¹⁰⁰⁰ + 1/3 by mpmath with 1200 digits. Beyond 2^131072 nothing
+/// is known but the range.
 #[test]
 fn circles_have_the_published_digits() {
     let holds = |found: &Interval, digits: &str, places: u32| {
@@ -175,6 +219,14 @@ fn circles_have_the_published_digits() {
     assert!(
         holds(&cosine, "862318872287683934101938513950", 30) && holds(&sine, "-506365641109758793656557610459", 30)
     );
+    let far = Rational::from(BigInt::from(10).pow(1000)) + ratio(1, 3);
+    let (cosine, sine) = Interval::cosine_and_sine(&far, 150);
+    assert!(
+        holds(&cosine, "-92915319035509322459401488508901", 32) && holds(&sine, "36969494025879214772199026493164", 32)
+    );
+    let (cosine, sine) = Interval::cosine_and_sine(&Rational::from(BigInt::from(1) << 200_000), 150);
+    let whole = Interval::between(Dyadic::one().negated(), Dyadic::one());
+    assert!(cosine == whole && sine == whole);
 }
 
 /// cos² + sin² ∋ 1, the addition theorem, evenness, and widths of at most 2^−bits, for arguments of any size.

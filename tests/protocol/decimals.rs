@@ -1,7 +1,7 @@
 //! Rationals in a few decimal digits.
 
 use exact_kalman::protocol::Decimal;
-use exact_kalman::scalar::{Rational, ratio};
+use exact_kalman::scalar::{Dyadic, Interval, Rational, ratio};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 
@@ -23,7 +23,44 @@ fn known_decimals() {
     }
 }
 
+/// Digits of exponentials far beyond what can be written out, by mpmath with 100 digits.
+#[test]
+fn decimals_of_huge_and_tiny_intervals() {
+    let (billion, last) = (ratio(1_000_000_000, 1), ratio(1 << 62, 1));
+    for (x, text) in [
+        (-billion.clone(), "1.249534271921013280924378499014991e-434294482"),
+        (billion, "8.002981770660972533041909374365001e434294481"),
+        (-last.clone(), "2.233295821253955161126914384678474e-2002829790073392691"),
+        (last, "4.47768714956229179208990880883461e2002829790073392690"),
+    ] {
+        let found = Interval::exponential(&x, 200).expect("within reach");
+        assert_eq!(Decimal::of_interval(&found, 34).expect("narrow").to_string(), text);
+        let negative = Decimal::of_interval(&found.negated(), 34).expect("narrow").to_string();
+        assert_eq!(negative, format!("-{text}"));
+    }
+    let zero = Interval::between(Dyadic::zero(), Dyadic::one());
+    assert_eq!(Decimal::of_interval(&zero, 3), None);
+    assert_eq!(Decimal::of_interval(&zero.minus(&Interval::between(Dyadic::one(), Dyadic::one()), 9), 3), None);
+    // 0.4999 to 0.5001 to one digit, and 9.9996 up to 10.
+    let between = |a: Rational, b: Rational| Interval::of(&a, 90).joined(&Interval::of(&b, 90));
+    assert_eq!(Decimal::of_interval(&between(ratio(2499, 1000), ratio(2501, 1000)), 1), None);
+    let carried = Decimal::of_interval(&between(ratio(99_996, 10_000), ratio(99_999, 10_000)), 4);
+    assert_eq!(carried.expect("alike").to_string(), "10");
+}
+
 proptest! {
+    /// Against the fraction, rounded exactly: numbers of more than 2¹⁶ bits.
+    #[test]
+    fn decimals_of_intervals_are_those_of_fractions(n in any::<i64>(), up in any::<bool>(), digits in 1_u32..20) {
+        prop_assume!(n != 0);
+        let power = Rational::from(BigInt::from(10).pow(22_000));
+        let value = Rational::from(BigInt::from(n)) * if up { power } else { power.recip() };
+        let found = Decimal::of_interval(&Interval::of(&value, 200), digits);
+        // An interval around a tie has no decimal; no tie has the digits of n and more.
+        prop_assert!(found.is_some() || digits < 19);
+        prop_assert!(found.is_none_or(|found| found == Decimal::rounded(&value, digits)));
+    }
+
     #[test]
     fn rounding_moves_by_half_a_unit_at_most(n in any::<i64>(), d in 1..=i64::MAX, shift in -30_i32..30, digits in 1_u32..20) {
         prop_assume!(n != 0);
