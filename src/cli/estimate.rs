@@ -9,11 +9,11 @@ use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input;
 use super::numbers::{Numbers, laid_out};
+use super::price::price;
 use crate::matrix::Matrix;
 use crate::model::Path;
 use crate::nongaussian::{
-    Component, Enclosed, InitialLaw, InitialLawError, Linear, Posterior, PriceError, StatisticsError, TooWide,
-    statistics,
+    Component, Enclosed, InitialLaw, InitialLawError, Linear, Posterior, StatisticsError, TooWide, statistics,
 };
 use crate::protocol::{CaseError, Decimal, EstimateCase};
 use crate::scalar::{Dyadic, Rational};
@@ -53,9 +53,6 @@ pub(super) struct Estimate {
 /// A number as text.
 type Shown = Matrix<String>;
 
-/// The bits of the width of the price.
-const PRICE_BITS: u64 = 36;
-
 impl Estimate {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
         let place = self.file.display().to_string();
@@ -73,8 +70,7 @@ impl Estimate {
             let mut shown =
                 self.step(&posterior, &linear).map_err(|error| refused(format!("step {}: {error}", t - 1)))?;
             if self.price {
-                let price = price(now.price_of_linearity(&law, PRICE_BITS));
-                shown.push(("price of linearity", "price", Matrix::column(vec![price])));
+                shown.push(("price of linearity", "price", Matrix::column(vec![price(now, &law)])));
             }
             match self.format {
                 Format::Text => {
@@ -143,7 +139,7 @@ impl Estimate {
 }
 
 /// A number that is not too small or too large to be written out; of those only the power of two is told.
-fn written(end: &Dyadic) -> Option<Rational> {
+pub(super) fn written(end: &Dyadic) -> Option<Rational> {
     const MOST: u64 = 1 << 16;
     end.magnitude().filter(|size| size.unsigned_abs() <= MOST).and(end.value())
 }
@@ -190,23 +186,6 @@ fn unfit(error: &StatisticsError<Rational>) -> String {
         }
         other @ StatisticsError::Arriving => other.to_string(),
     }
-}
-
-/// The price to so many decimals as are proved, at most ten.
-fn price(found: Result<Enclosed, PriceError>) -> String {
-    let interval = match found {
-        Ok(Enclosed::Exact(value)) => return value.to_string(),
-        Ok(Enclosed::Between(interval)) => interval,
-        Err(error) => return format!("unknown ({error})"),
-    };
-    let end = |end: &Dyadic| if end.is_zero() { Some(Rational::default()) } else { written(end) };
-    let (Some(lower), Some(upper)) = (end(interval.lower()), end(interval.upper())) else {
-        // It is never negative.
-        return format!("<2^{}", interval.upper().magnitude().unwrap_or_default());
-    };
-    let rounded = |digits| [&lower, &upper].map(|end| Decimal::rounded(end, digits));
-    let proved = (1..=10).rev().map(rounded).find(|[lower, upper]| lower == upper);
-    proved.map_or_else(|| format!("from {lower} to {upper}"), |[digits, _]| digits.to_string())
 }
 
 fn json_of(step: usize, shown: &[(&'static str, &'static str, Shown)]) -> Value {
