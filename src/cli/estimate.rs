@@ -9,7 +9,7 @@ use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input;
 use super::numbers::{Numbers, laid_out};
-use super::price::price;
+use super::price::Price;
 use crate::matrix::Matrix;
 use crate::model::Path;
 use crate::nongaussian::{
@@ -41,10 +41,8 @@ pub(super) struct Estimate {
     /// Only the last step.
     #[arg(long)]
     last: bool,
-    /// Also what the affine estimate loses on average, to ten decimals (slower; where the readings see one direction of
-    /// the first state).
-    #[arg(long)]
-    price: bool,
+    #[command(flatten)]
+    price: Price,
     /// How to print.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -69,8 +67,8 @@ impl Estimate {
             let (posterior, linear) = (now.posterior(&law), now.linear(&law));
             let mut shown =
                 self.step(&posterior, &linear).map_err(|error| refused(format!("step {}: {error}", t - 1)))?;
-            if self.price {
-                shown.push(("price of linearity", "price", Matrix::column(vec![price(now, &law)])));
+            if let Some(price) = self.price.text(now, &law, self.numbers) {
+                shown.push(("price of linearity", "price", Matrix::column(vec![price])));
             }
             match self.format {
                 Format::Text => {
@@ -139,7 +137,7 @@ impl Estimate {
 }
 
 /// A number that is not too small or too large to be written out; of those only the power of two is told.
-pub(super) fn written(end: &Dyadic) -> Option<Rational> {
+fn written(end: &Dyadic) -> Option<Rational> {
     const MOST: u64 = 1 << 16;
     end.magnitude().filter(|size| size.unsigned_abs() <= MOST).and(end.value())
 }

@@ -12,6 +12,9 @@
 //!   fraction or irrational and to any number of digits;
 //! * [`Posterior::characteristic`] is the conditional characteristic function, and [`Statistics::price_of_linearity`] encloses how much the
 //!   best affine estimate loses on average;
+//! * [`JointLaw::tilted`] is the functional 𝒯 and [`Functional`] is 𝒰, on the domain where it is finite, and their integrals of polynomials,
+//!   exponentials and half-spaces are those of a [`Measure`]; [`Posterior::expectation`], [`Posterior::moment_generating`] and
+//!   [`Posterior::probability`] are the quotients of Theorem 1;
 //! * [`as_printed`] keeps the wrong forms of the paper, so that the difference can be seen.
 //!
 //! Holds no simulation.
@@ -21,21 +24,30 @@
 pub mod as_printed;
 mod average;
 mod characteristic;
+mod exponential_sum;
+mod functional;
 mod girsanov;
 mod initial_law;
+mod lattice;
+mod line;
 mod linear;
+mod measure;
 mod moments;
 mod posterior;
 mod price;
 mod quadrature;
 mod recursion;
 mod statistics;
+mod strip;
 
 pub use average::{Enclosed, TooWide};
 pub use characteristic::{CharacteristicFunction, CharacteristicTerm};
+pub use exponential_sum::{ExponentialSum, Unresolved};
+pub use functional::{DomainError, Functional, JointLaw};
 pub use girsanov::LikelihoodRatio;
 pub use initial_law::{Component, InitialLaw, InitialLawError};
 pub use linear::Linear;
+pub use measure::{HalfSpace, Measure};
 pub use posterior::{Evidence, Posterior, PosteriorComponent};
 pub use price::PriceError;
 pub use statistics::{Statistics, StatisticsError, statistics};

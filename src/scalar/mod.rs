@@ -20,6 +20,7 @@ mod float;
 mod integer;
 mod interval;
 pub mod laws;
+mod normal;
 mod rational;
 mod residue;
 mod taylor;

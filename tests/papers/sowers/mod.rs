@@ -4,11 +4,13 @@ mod characteristic;
 mod decomposition;
 mod errata;
 mod estimates;
+mod functionals;
 mod girsanov;
 mod horizon;
 mod lemmas;
 mod measure;
 mod price;
+mod price_values;
 mod world;
 
 use exact_kalman::matrix::Matrix;
