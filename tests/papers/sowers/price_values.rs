@@ -115,6 +115,33 @@ fn digits_of_an_outside_program() {
     }
 }
 
+/// SM-4.30: enclosures that stop early, where the errors of the rule and the tails are all there is, hold the value. Atoms near and far,
+/// components of like and of unlike width, short and long lattices.
+#[test]
+fn wide_enclosures_hold_the_value() {
+    let now = seen(Matrix::identity(1), Matrix::identity(1));
+    let part = |mean, variance| (ratio(1, 2), column(&[mean]), Matrix::diagonal(&[ratio(variance, 1)]));
+    let laws = [
+        [(0, 0), (1, 0)],
+        [(0, 0), (9, 0)],
+        [(0, 0), (40, 0)],
+        [(0, 0), (0, 30)],
+        [(2, 1), (-5, 9)],
+        [(0, 0), (25, 400)],
+    ];
+    for law in laws.map(|parts| mixture(parts.map(|(mean, variance)| part(mean, variance)).to_vec())) {
+        let sharp = price(&now, &law, 150);
+        let mut widths = std::collections::BTreeSet::new();
+        for bits in [1, 20, 40, 60] {
+            let found = price(&now, &law, bits);
+            assert!(found.lower() <= sharp.lower() && sharp.upper() <= found.upper(), "{bits}: {found:?}");
+            let [lower, upper] = ends(&found);
+            widths.insert(upper - lower);
+        }
+        assert!(widths.len() >= 3, "some stop early: {widths:?}");
+    }
+}
+
 /// SM-4.30: two independent coins seen apart cost twice what one costs, three of them three times: so the plane agrees with the line, and the
 /// simulation with both. Five standard errors are exceeded less than once in a million draws of a seed.
 #[test]
