@@ -9,15 +9,15 @@ use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input;
 use super::numbers::{Numbers, laid_out};
-use super::proved::{proved, written};
+use super::price::Price;
+use super::proved::proved;
 use crate::matrix::Matrix;
 use crate::model::Path;
 use crate::nongaussian::{
-    Average, Component, Enclosed, InitialLaw, InitialLawError, Linear, Posterior, PriceError, StatisticsError,
-    statistics,
+    Average, Component, InitialLaw, InitialLawError, Linear, Posterior, StatisticsError, statistics,
 };
-use crate::protocol::{CaseError, Decimal, EstimateCase};
-use crate::scalar::{Dyadic, Rational};
+use crate::protocol::{CaseError, EstimateCase};
+use crate::scalar::Rational;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -43,10 +43,8 @@ pub(super) struct Estimate {
     /// Only the last step.
     #[arg(long)]
     last: bool,
-    /// Also what the affine estimate loses on average, to ten decimals (slower; where the readings see one direction of
-    /// the first state).
-    #[arg(long)]
-    price: bool,
+    #[command(flatten)]
+    price: Price,
     /// How to print.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -54,9 +52,6 @@ pub(super) struct Estimate {
 
 /// A number as text.
 type Shown = Matrix<String>;
-
-/// The bits of the width of the price.
-const PRICE_BITS: u64 = 36;
 
 impl Estimate {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
@@ -73,8 +68,7 @@ impl Estimate {
         for (t, now) in all.iter().enumerate().skip(first.max(1)) {
             let (posterior, linear) = (now.posterior(&law), now.linear(&law));
             let mut shown = self.step(t - 1, &posterior, &linear);
-            if self.price {
-                let price = price(now.price_of_linearity(&law, PRICE_BITS));
+            if let Some(price) = self.price.text(now, &law, self.numbers) {
                 shown.push(("price of linearity", "price", Matrix::column(vec![price])));
             }
             match self.format {
@@ -164,23 +158,6 @@ fn unfit(error: &StatisticsError<Rational>) -> String {
         }
         other @ StatisticsError::Arriving => other.to_string(),
     }
-}
-
-/// The price to so many decimals as are proved, at most ten.
-fn price(found: Result<Enclosed, PriceError>) -> String {
-    let interval = match found {
-        Ok(Enclosed::Exact(value)) => return value.to_string(),
-        Ok(Enclosed::Between(interval)) => interval,
-        Err(error) => return format!("unknown ({error})"),
-    };
-    let end = |end: &Dyadic| if end.is_zero() { Some(Rational::default()) } else { written(end) };
-    let (Some(lower), Some(upper)) = (end(interval.lower()), end(interval.upper())) else {
-        // It is never negative.
-        return format!("<2^{}", interval.upper().magnitude().unwrap_or_default());
-    };
-    let rounded = |digits| [&lower, &upper].map(|end| Decimal::rounded(end, digits));
-    let proved = (1..=10).rev().map(rounded).find(|[lower, upper]| lower == upper);
-    proved.map_or_else(|| format!("from {lower} to {upper}"), |[digits, _]| digits.to_string())
 }
 
 fn json_of(step: usize, shown: &[(&'static str, &'static str, Shown)]) -> Value {

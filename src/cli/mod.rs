@@ -11,6 +11,7 @@ mod identify;
 mod input;
 mod judge;
 mod numbers;
+mod price;
 mod proved;
 mod reproduce;
 mod shown;

@@ -15,6 +15,9 @@
 //! * [`Decomposition`] splits the state into noise and start in every way the paper allows, with the density of the new measure that
 //!   each makes ([`LogDensity`], [`Shift`]); [`InfiniteHorizon`] decides for constant systems whether these measures have a
 //!   limit with a density;
+//! * [`JointLaw::tilted`] is the functional 𝒯 and [`Functional`] is 𝒰, on the domain where it is finite, and their integrals of polynomials,
+//!   exponentials and half-spaces are those of a [`Measure`]; [`Posterior::expectation`], [`Posterior::moment_generating`] and
+//!   [`Posterior::probability`] are the quotients of Theorem 1;
 //! * [`as_printed`] keeps the wrong forms of the paper, so that the difference can be seen.
 //!
 //! Holds no simulation.
@@ -27,11 +30,16 @@ mod characteristic;
 mod classes;
 mod decomposition;
 mod enclosure;
+mod exponential_sum;
+mod functional;
 mod girsanov;
 mod horizon;
 mod initial_law;
+mod lattice;
+mod line;
 mod linear;
 mod log_density;
+mod measure;
 mod moments;
 mod pairs;
 mod posterior;
@@ -39,16 +47,20 @@ mod price;
 mod quadrature;
 mod recursion;
 mod statistics;
+mod strip;
 
 pub use average::{Average, Enclosed, Quantity, TooWide};
 pub use characteristic::{CharacteristicFunction, CharacteristicTerm};
 pub use decomposition::{Affine, Choice, Decomposition};
 pub use enclosure::Averages;
+pub use exponential_sum::{ExponentialSum, Unresolved};
+pub use functional::{DomainError, Functional, JointLaw};
 pub use girsanov::{LikelihoodRatio, Shift, log_likelihood_ratios};
 pub use horizon::{HorizonError, InfiniteHorizon, LimitMeasure};
 pub use initial_law::{Component, InitialLaw, InitialLawError};
 pub use linear::Linear;
 pub use log_density::LogDensity;
+pub use measure::{HalfSpace, Measure};
 pub use posterior::{Evidence, Posterior, PosteriorComponent};
 pub use price::PriceError;
 pub use statistics::{Statistics, StatisticsError, statistics};

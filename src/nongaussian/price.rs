@@ -1,26 +1,30 @@
 //! The price of linearity: how much worse the best affine estimate is than the best one.
 
-use super::quadrature::{Along, integral};
+use num_bigint::BigInt;
+
+use super::quadrature::{Bump, MOST_POINTS, Plan};
 use super::{Enclosed, InitialLaw, Statistics};
 use crate::matrix::Matrix;
-use crate::scalar::{OrderedField, Rational, ratio};
+use crate::scalar::{Dyadic, Interval, OrderedField, Rational, Toward, ratio};
 
 /// Why the price is not computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PriceError {
-    /// The integral is over more than one dimension.
-    #[error("the readings see {rank} directions of the initial state; the integral is computed for one")]
+    /// The integral is over more than two dimensions.
+    #[error("the readings see {rank} directions of the initial state; the integral is computed for two at most")]
     Dimension {
         /// The rank of R*.
         rank: usize,
     },
     /// It did not become as narrow as asked for.
-    #[error("no enclosure of width 2^-{bits} with {cells} cells")]
+    #[error("not proved to {bits} bits with {points} points")]
     TooWide {
         /// The bits asked for.
         bits: u64,
-        /// The most cells that are used.
-        cells: usize,
+        /// The most points at which the integrand is evaluated.
+        points: u32,
+        /// What is proved.
+        found: Interval,
     },
 }
 
@@ -85,51 +89,125 @@ impl<S: OrderedField> Statistics<S> {
 
 impl Statistics<Rational> {
     /// ε(t), by how much the mean squared error of the best affine estimate exceeds that of the best one: 0 exactly, or
-    /// enclosed with a width of at most 2^−bits.
+    /// enclosed with a relative width of at most 2^−bits.
     ///
     /// SM-epsilon: `ε(t) = E‖X̂(t) − X̂ᴷ(t)‖²,  t = 1, 2, …`
     ///
     /// SM-4.30: `ε(t+1) = ∫ ‖Q*(t+1) ∫ {z − [R*(t+1) + Δ⁻¹]⁻¹[b + Δ⁻¹μ]} ω(z,b) dF(z)‖² [∫ ω(z,b) dF(z)]⁻¹ dG(b),  ω(z,b) = exp(zᵀb − ½ zᵀR*(t+1)z),  G = N(0, R*(t+1))`
     ///
-    /// `∫ ω(z,b) dF(z) dG(b)` is the law of b under ℙ, a mixture of Gaussian laws, so for R* = c v vᵀ the integral is
-    /// `∫ ‖Σ pᵢ(x) aᵢ(x)‖² / Σ pᵢ(x) dx` along one line, with densities pᵢ and affine aᵢ. It is enclosed by Taylor
-    /// polynomials on cells, their remainders, and a bound of the tails.
+    /// `∫ ω(z,b) dF(z) dG(b)` is the law of b under ℙ, a mixture of Gaussian laws on the range of R*, so with coordinates x of the
+    /// range the integral is `∫ ‖Σ pᵢ(x) aᵢ(x)‖² / Σ pᵢ(x) dx`, with densities pᵢ and affine aᵢ. It is enclosed by the midpoint
+    /// rule and a bound of its error, which is exponentially small, over a line or a plane.
     ///
     /// # Errors
     ///
-    /// [`PriceError`] where R* has a rank above 1, unless ε = 0, or where the cells do not suffice.
+    /// [`PriceError`] where R* has a rank above 2, unless ε = 0, or where too many points would be needed: then with what is
+    /// proved.
     ///
     /// # Panics
     ///
-    /// If the law has another dimension.
+    /// If the law has another dimension, or R* is not positive semidefinite, as that of [`super::statistics`] is.
+    ///
+    /// # Examples
+    ///
+    /// A coin with values ±1 read once through noise of variance 1: ε = E(tanh Y − Y/2)² = 0.05040049….
+    ///
+    /// ```
+    /// use exact_kalman::matrix::Matrix;
+    /// use exact_kalman::model::{Before, Initial, Noise, Observation, System, Timing};
+    /// use exact_kalman::nongaussian::{Enclosed, InitialLaw, statistics};
+    /// use exact_kalman::scalar::{Rational, ratio};
+    ///
+    /// let one = Matrix::<Rational>::identity(1);
+    /// let system = System {
+    ///     timing: Timing::Departing,
+    ///     initial: Initial::new(Before::Observation, Matrix::zeros(1, 1), Matrix::zeros(1, 1)),
+    ///     transition: one.clone().into(),
+    ///     observation: one.clone().into(),
+    ///     noise: Noise::Covariances { process: one.clone().into(), cross: None, observation: one.clone().into() },
+    ///     input: None,
+    ///     observation_input: None,
+    /// };
+    /// let path = system.realised(&[Observation::complete([ratio(0, 1)])])?;
+    /// let coin = InitialLaw::atoms([(ratio(1, 2), one.clone()), (ratio(1, 2), one.scaled(&ratio(-1, 1)))])?;
+    /// let Enclosed::Between(price) = statistics(&path)?[1].price_of_linearity(&coin, 20)? else { unreachable!() };
+    /// assert!(price.lower().value() > Some(ratio(504_004, 10_000_000)));
+    /// assert!(price.upper().value() < Some(ratio(504_006, 10_000_000)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn price_of_linearity(&self, initial: &InitialLaw<Rational>, bits: u64) -> Result<Enclosed, PriceError> {
-        let precision = self.precision();
         if self.is_linear_best(initial) {
             return Ok(Enclosed::Exact(ratio(0, 1)));
         }
-        let rank = precision.rank();
-        let entries = 0..precision.rows();
-        let Some(pivot) = entries.clone().find(|&i| precision[(i, i)] > ratio(0, 1)) else {
-            return Ok(Enclosed::Exact(ratio(0, 1)));
+        let factors = match self.precision().ldl() {
+            Ok(factors) => factors,
+            Err(error) => unreachable!("R* is positive semidefinite, but {error}"),
         };
-        if rank > 1 {
-            return Err(PriceError::Dimension { rank });
+        if factors.rank() > 2 {
+            return Err(PriceError::Dimension { rank: factors.rank() });
         }
-        // b = v x with x = b_pivot: R* = c v vᵀ, c = R*_pivot,pivot.
-        let direction = precision.select_columns(&[pivot]).map(|entry| entry / &precision[(pivot, pivot)]);
-        let along = |part: Part<Rational>| {
-            let slope = part.slope * &direction;
-            Along {
-                weight: part.weight,
-                mean: part.mean[(pivot, 0)].clone(),
-                variance: part.covariance[(pivot, pivot)].clone(),
-                differences: entries
-                    .clone()
-                    .map(|row| (part.offset[(row, 0)].clone(), slope[(row, 0)].clone()))
-                    .collect(),
-            }
-        };
-        let parts: Vec<Along> = self.parts(initial).into_iter().map(along).collect();
-        integral(&parts, bits).map(Enclosed::Between)
+        let seen: Vec<usize> = (0..factors.pivots.len()).filter(|&i| factors.pivots[i] > ratio(0, 1)).collect();
+        let directions = factors.lower.select_columns(&seen);
+        let bumps: Option<Vec<Bump>> =
+            self.parts(initial).into_iter().map(|part| bump(part, &directions, &seen)).collect();
+        let spread = self.linear(initial).covariance - &self.covariance;
+        let bound = (0..spread.rows()).fold(ratio(0, 1), |sum, i| sum + &spread[(i, i)]);
+        let bound = Dyadic::rounded(&bound, 64, Toward::Above);
+        let nothing = Interval::between(Dyadic::zero(), bound);
+        match bumps {
+            Some(bumps) => enclosed(&bumps, nothing, bits).map(Enclosed::Between),
+            None => Err(PriceError::TooWide { bits, points: MOST_POINTS, found: nothing }),
+        }
     }
 }
+
+/// A component in coordinates x of the range of R*: b = V x, V being unit lower triangular in the rows `seen`.
+fn bump(part: Part<Rational>, directions: &Matrix<Rational>, seen: &[usize]) -> Option<Bump> {
+    let coordinates = directions.select_rows(seen).inverse().ok()?;
+    let covariance = coordinates.congruence(&part.covariance.select(seen, seen));
+    Some(Bump {
+        weight: part.weight,
+        mean: coordinates * part.mean.select_rows(seen),
+        inverse: covariance.inverse().ok()?,
+        determinant: covariance.determinant().ok()?,
+        covariance,
+        slope: part.slope * directions,
+        offset: part.offset,
+    })
+}
+
+/// The integral, which is known to be among `found`, with a relative width of at most 2^−bits.
+fn enclosed(bumps: &[Bump], mut found: Interval, bits: u64) -> Result<Interval, PriceError> {
+    let size = |end: &Dyadic| end.magnitude().unwrap_or_default();
+    // A cheap first attempt, from which one knows how much is missing.
+    let mut effort = 40_u64.saturating_add_signed(-size(found.upper())).clamp(40, MOST_EFFORT);
+    loop {
+        let wanted = effort;
+        let plan = loop {
+            match Plan::new(bumps, effort) {
+                Some(plan) if plan.points(bumps) <= f64::from(MOST_POINTS) => break plan,
+                _ if effort <= LEAST_EFFORT => return Err(PriceError::TooWide { bits, points: MOST_POINTS, found }),
+                _ => effort -= effort.div_ceil(8),
+            }
+        };
+        if let Some(better) = plan.integral(bumps) {
+            let (lower, upper) = (better.lower().max(found.lower()), better.upper().min(found.upper()));
+            found = Interval::between(lower.clone(), upper.clone());
+        }
+        let width = found.upper().plus(&found.lower().negated(), 64, Toward::Above);
+        let part = Dyadic::new(BigInt::from(1), -i64::try_from(bits).unwrap_or(i64::MAX));
+        let allowed = found.lower().times(&part, 64, Toward::Below);
+        if width <= allowed {
+            return Ok(found);
+        }
+        if effort < wanted || effort >= MOST_EFFORT {
+            return Err(PriceError::TooWide { bits, points: MOST_POINTS, found });
+        }
+        let missing = if found.lower().is_zero() { None } else { u64::try_from(size(&width) - size(&allowed)).ok() };
+        effort = (effort + missing.map_or(effort, |missing| missing + 2)).min(MOST_EFFORT);
+    }
+}
+
+/// Bits of work below which nothing is learned, and above which nothing is tried.
+const LEAST_EFFORT: u64 = 8;
+const MOST_EFFORT: u64 = 1 << 13;

@@ -1,220 +1,226 @@
-//! A rigorous integral along a line: `∫ ‖Σ pᵢ(x) aᵢ(x)‖² / Σ pᵢ(x) dx` for weighted Gaussian densities pᵢ and affine aᵢ.
+//! Rigorous integrals over a line or a plane: `∫ ‖Σ pᵢ(x) aᵢ(x)‖² / Σ pᵢ(x) dx` for weighted Gaussian densities pᵢ and affine aᵢ.
 //!
-//! On a cell of half width h around c, a Taylor polynomial of even order N is integrated with its coefficients at c; the
-//! remainder is `f_N(ξ)(x − c)^N` with f_N enclosed over the whole cell. Where little is, Cauchy's and Schwarz's
-//! inequality `‖Σ pᵢaᵢ‖²/Σ pᵢ ≤ Σ pᵢ‖aᵢ‖²` is enough, and so it is for the tails: for X ~ N(m, s²), L ≥ m and affine a(x),
-//! `E[a²(X) 1(X > L)] ≤ E[a²(X) exp((L − m)(X − L)/s²)] = exp(−(L − m)²/(2s²)) (a²(L) + a′²s²)`.
+//! The midpoint rule is used, because its error for functions that are analytic beside the real axis is exponentially small.
+//! On [A, B] with cells of length h, residues at the nodes give for each axis
+//!
+//! `|∫ f dx − h Σ f(xₖ)| ≤ 2 F/(exp(2πα/h) − 1) + (h/π)(F_A + F_B)`,
+//!
+//! where F bounds `∫ |f(x ± iα)| dx` over [A, B], and F_A and F_B bound |f| at `A + iy` and `B + iy` for |y| ≤ α. Here
+//! `|Σ pᵢ| ≥ ¾/k Σ |pᵢ|` (see [`half_widths`]), so that |f| ≤ 4k/3 Σ |pᵢ| ‖aᵢ‖² by Cauchy and Schwarz, and
+//! `|pᵢ(x + iy)| = pᵢ(x) exp(y²κ/2)`, κ being a diagonal entry of the inverse covariance. In a plane one axis is summed after the
+//! other.
+//!
+//! Of what lies outside the boxes, |f| ≤ Σ pᵢ‖aᵢ‖² is enough: for X ~ N(m, S) and L ≥ m₁,
+//! `E[‖a(X)‖² 1(X₁ > L)] ≤ E[‖a(X)‖² exp((L − m₁)(X₁ − L)/S₁₁)] = exp(−(L − m₁)²/(2S₁₁)) E‖a(X + Se₁(L − m₁)/S₁₁)‖²`.
 
 use num_bigint::BigInt;
 
-use super::PriceError;
-use crate::scalar::{Dyadic, Interval, Rational, Taylor, Toward, ratio};
+use super::lattice::{Axis, sum};
+use super::strip::half_widths;
+use crate::matrix::Matrix;
+use crate::scalar::{Dyadic, Interval, Rational, Toward, nearest_double, ratio};
 
-/// A component along the line: x ~ N(mean, variance) with this weight, and for each row (offset, slope) of a.
-pub(super) struct Along {
+/// A weighted Gaussian density with an affine vector.
+pub(super) struct Bump {
     pub(super) weight: Rational,
-    pub(super) mean: Rational,
-    pub(super) variance: Rational,
-    pub(super) differences: Vec<(Rational, Rational)>,
+    /// d×1.
+    pub(super) mean: Matrix<Rational>,
+    /// d×d, regular.
+    pub(super) covariance: Matrix<Rational>,
+    /// The inverse of the covariance.
+    pub(super) inverse: Matrix<Rational>,
+    /// Of the covariance.
+    pub(super) determinant: Rational,
+    /// The vector is `slope x + offset`; n×d and n×1.
+    pub(super) slope: Matrix<Rational>,
+    pub(super) offset: Matrix<Rational>,
 }
 
-/// The most cells that are looked at.
-const MOST_CELLS: usize = 1 << 14;
+/// An interval on each axis.
+pub(super) type Bounds = Vec<(Rational, Rational)>;
 
-/// No narrower enclosure is tried.
-const MOST_BITS: u64 = 1 << 10;
+/// The most points at which the integrand is evaluated.
+pub(super) const MOST_POINTS: u32 = 1 << 21;
 
-/// The integral, with a width of at most 2^−bits.
-pub(super) fn integral(parts: &[Along], bits: u64) -> Result<Interval, PriceError> {
-    let failed = PriceError::TooWide { bits, cells: MOST_CELLS };
-    if bits > MOST_BITS {
-        return Err(failed);
-    }
-    let integrand = Integrand::new(parts, bits).ok_or(failed)?;
-    let (first, last) = support(parts, bits);
-    let tails = integrand.tails(&first, Side::Below).plus(&integrand.tails(&last, Side::Above), integrand.work);
-    // What a cell may contribute to the width: half of everything, in proportion to its length.
-    let density = power_of_two(bits.saturating_add(1)) / (&last - &first);
-    let mut pending = vec![(first, last)];
-    let (mut sum, mut cells) = (Interval::zero(), 0);
-    while let Some((from, to)) = pending.pop() {
-        cells += 1;
-        if cells > MOST_CELLS {
-            return Err(failed);
-        }
-        let share = Interval::of(&(&density * (&to - &from)), 64);
-        match integrand.cell(&from, &to) {
-            Some(found) if width(&found) <= *share.lower() => sum = sum.plus(&found, integrand.work),
-            _ => {
-                let middle = (&from + &to) * ratio(1, 2);
-                pending.push((middle.clone(), to));
-                pending.push((from, middle));
-            }
-        }
-    }
-    // The integrand is nowhere negative: the tails only add.
-    let whole = sum.plus(&Interval::zero().joined(&tails), integrand.work);
-    let two_pi = Interval::pi(integrand.work);
-    let two_pi = two_pi.plus(&two_pi, integrand.work);
-    let found = root(&two_pi, integrand.work).and_then(|root| whole.over(&root, integrand.work).ok()).ok_or(failed)?;
-    let found =
-        if found.lower().is_negative() { Interval::between(Dyadic::zero(), found.upper().clone()) } else { found };
-    let most = Interval::of(&power_of_two(bits), 64);
-    if width(&found) <= *most.lower() { Ok(found) } else { Err(failed) }
+/// Bits of bounds that need not be sharp.
+pub(super) const COARSE: u64 = 64;
+
+/// Where the integrand is evaluated so that the error is about 2^−effort.
+pub(super) struct Plan {
+    effort: u64,
+    boxes: Vec<(Vec<Axis>, Vec<Rational>)>,
 }
 
-/// Which end of the line.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Side {
-    Below,
-    Above,
-}
-
-/// An interval outside which every density has tails of less than about 2^−bits: √(2 ln 2 (bits + 40)) deviations away.
-fn support(parts: &[Along], bits: u64) -> (Rational, Rational) {
-    let reach = |part: &Along| {
-        let square = &part.variance * ratio(i64::try_from(bits).unwrap_or(i64::MAX / 4).saturating_add(40) * 2, 1);
-        // A fraction above the root.
-        Rational::from(square.ceil().to_integer().sqrt() + BigInt::from(1))
-    };
-    let first = parts.iter().map(|part| &part.mean - reach(part)).min().unwrap_or_default();
-    let last = parts.iter().map(|part| &part.mean + reach(part)).max().unwrap_or_default();
-    (first, last)
-}
-
-struct Integrand<'a> {
-    parts: &'a [Along],
-    /// weight / s, by component.
-    factors: Vec<Interval>,
-    order: usize,
-    work: u64,
-}
-
-impl<'a> Integrand<'a> {
-    fn new(parts: &'a [Along], bits: u64) -> Option<Self> {
-        let work = bits.saturating_add(40);
-        let factor = |part: &Along| {
-            Interval::of(&part.weight, work).over(&Interval::square_root(&part.variance, work).ok()?, work).ok()
+impl Plan {
+    /// Nothing where the components are too different in scale.
+    pub(super) fn new(bumps: &[Bump], effort: u64) -> Option<Self> {
+        let boxes = disjoint(bumps.iter().map(|bump| support(bump, effort)).collect());
+        let planned = |bounds: Bounds| {
+            let widths = half_widths(bumps, &bounds)?;
+            let axes = bounds.iter().zip(&widths).map(|(ends, width)| axis(ends, width, effort));
+            Some((axes.collect::<Option<_>>()?, widths))
         };
-        let factors = parts.iter().map(factor).collect::<Option<_>>()?;
-        // Even, and about what pays off.
-        let order = 2 * usize::try_from(bits.min(4000) / 8 + 3).ok()?;
-        Some(Self { parts, factors, order, work })
+        Some(Self { effort, boxes: boxes.into_iter().map(planned).collect::<Option<_>>()? })
     }
 
-    /// √(2π) times a bound of Σ ∫ pᵢ‖aᵢ‖² beyond an end of the line.
-    fn tails(&self, end: &Rational, side: Side) -> Interval {
-        let nothing = Interval::zero();
-        self.parts.iter().fold(nothing, |sum, part| {
-            let away = if side == Side::Above { end - &part.mean } else { &part.mean - end };
-            debug_assert!(away >= ratio(0, 1), "the ends lie beyond all means");
-            let size = self.exponential(&(-(&away * &away) / (&part.variance * ratio(2, 1))));
-            let square = part.differences.iter().fold(ratio(0, 1), |square, (offset, slope)| {
-                let value = offset + slope * end;
-                square + &value * &value + slope * slope * &part.variance
+    /// About how many points matter: those within the ellipses of the densities. It bounds the work, and proves nothing.
+    pub(super) fn points(&self, bumps: &[Bump]) -> f64 {
+        let double = |x: &Rational| nearest_double(x);
+        let of_box = |(axes, _): &(Vec<Axis>, Vec<Rational>)| {
+            let cell: f64 = axes.iter().map(|axis| double(&axis.step)).product();
+            let all: f64 = axes.iter().map(|axis| double(&Rational::from(BigInt::from(axis.count)))).product();
+            let reach = 1.4 * double(&Rational::from(BigInt::from(self.effort + 64)));
+            let ellipse = |bump: &Bump| match axes.len() {
+                1 => 2.0 * (reach * double(&bump.determinant)).sqrt() / cell,
+                _ => std::f64::consts::PI * reach * double(&bump.determinant).sqrt() / cell,
+            };
+            let rows = if axes.len() == 1 { 0.0 } else { double(&Rational::from(BigInt::from(axes[0].count))) };
+            all.min(bumps.iter().map(ellipse).sum()) + 20.0 * rows
+        };
+        self.boxes.iter().map(of_box).sum()
+    }
+
+    /// The integral; nothing where a bound overflows.
+    pub(super) fn integral(&self, bumps: &[Bump]) -> Option<Interval> {
+        let work = self.effort.saturating_add(64);
+        let (mut total, mut error) = (Interval::zero(), Interval::zero());
+        for (axes, widths) in &self.boxes {
+            let sizes = bumps.iter().flat_map(|bump| {
+                axes.iter().zip(widths).enumerate().map(|(place, (_, width))| largest(bump, axes, place, width))
             });
-            // √(2π) < 3
-            let bound = size.times(&Interval::of(&(square * &part.weight * ratio(3, 1)), self.work), self.work);
-            sum.plus(&bound, self.work)
-        })
-    }
-
-    fn exponential(&self, x: &Rational) -> Interval {
-        // No exponent here is positive.
-        Interval::exponential(x, self.work).unwrap_or_else(|overflow| unreachable!("{overflow}"))
-    }
-
-    /// √(2π) times the integral over a cell; nothing where no enclosure was found.
-    fn cell(&self, from: &Rational, to: &Rational) -> Option<Interval> {
-        let middle = (from + to) * ratio(1, 2);
-        let half = (to - from) * ratio(1, 2);
-        let whole = Interval::of(from, self.work).joined(&Interval::of(to, self.work));
-        let coarse = self.bound(&whole)?.times(&Interval::of(&(to - from), self.work), self.work);
-        if coarse.upper().magnitude().is_none_or(|size| size < -i64::try_from(self.work).unwrap_or(i64::MAX)) {
-            return Some(Interval::zero().joined(&coarse));
+            let size = Dyadic::rounded(&sizes.max()?, COARSE, Toward::Above).magnitude().unwrap_or_default();
+            // Rounded towards more.
+            let scale = size.div_euclid(2) + size.rem_euclid(2);
+            total = total.plus(&sum(bumps, axes, scale, self.effort)?, work);
+            error = error.plus(&remainder(bumps, axes, widths)?, COARSE);
         }
-        let (at_middle, over_cell) = (self.expansion(&Interval::of(&middle, self.work))?, self.expansion(&whole)?);
-        let mut sum = Interval::zero();
-        let mut power = half.clone();
-        for j in (0..=self.order).step_by(2) {
-            let coefficients = if j == self.order { &over_cell } else { &at_middle };
-            // ∫ (x − c)^j = 2 h^(j+1)/(j+1)
-            let moment = &power * Rational::new(BigInt::from(2), BigInt::from(j + 1));
-            let term = coefficients.coefficients().get(j)?.times(&Interval::of(&moment, self.work), self.work);
-            sum = sum.plus(&term, self.work);
-            power = power * &half * &half;
-        }
-        Some(sum)
+        let either = error.joined(&error.negated());
+        // The integrand is nowhere negative: the tails only add.
+        let whole = total.plus(&either, work).plus(&Interval::zero().joined(&self.tails(bumps)?), work);
+        let lower = if whole.lower().is_negative() { Dyadic::zero() } else { whole.lower().clone() };
+        Some(Interval::between(lower, whole.upper().clone()))
     }
 
-    /// Σ pᵢ‖aᵢ‖² over a cell, from above, times √(2π).
-    fn bound(&self, x: &Interval) -> Option<Interval> {
-        let mut sum = Interval::zero();
-        for (part, factor) in self.parts.iter().zip(&self.factors) {
-            let density = self.density(part, factor, x, 0)?.coefficients().first()?.clone();
-            for difference in &part.differences {
-                let value = self.affine(difference, x);
-                sum = sum.plus(&density.times(&value.times(&value, self.work), self.work), self.work);
+    /// A bound of Σ ∫ pᵢ‖aᵢ‖² outside the support of each.
+    fn tails(&self, bumps: &[Bump]) -> Option<Interval> {
+        let mut total = Interval::zero();
+        for bump in bumps {
+            for (axis, (first, last)) in support(bump, self.effort).iter().enumerate() {
+                for end in [first, last] {
+                    let variance = &bump.covariance[(axis, axis)];
+                    let away = end - &bump.mean[(axis, 0)];
+                    let size = Interval::exponential(&(-(&away * &away) / (variance * ratio(2, 1))), COARSE).ok()?;
+                    let shift = bump.covariance.select_columns(&[axis]).scaled(&(&away / variance));
+                    let value = &bump.slope * (&bump.mean + shift) + &bump.offset;
+                    let square = value.transpose().congruence(&Matrix::identity(value.rows()))[(0, 0)].clone()
+                        + trace(&bump.slope.congruence(&bump.covariance));
+                    total = total.plus(&size.times(&Interval::of(&(square * &bump.weight), COARSE), COARSE), COARSE);
+                }
             }
         }
-        // A square is not negative, whatever the product of two intervals says.
-        Some(Interval::zero().joined(&sum))
+        Some(total)
     }
+}
 
-    fn affine(&self, (offset, slope): &(Rational, Rational), x: &Interval) -> Interval {
-        Interval::of(slope, self.work).times(x, self.work).plus(&Interval::of(offset, self.work), self.work)
-    }
+/// Outside of it the density has tails of less than about 2^−effort: √(2 ln 2 effort) deviations on each axis.
+fn support(bump: &Bump, effort: u64) -> Bounds {
+    let along = |axis: usize| {
+        let square = &bump.covariance[(axis, axis)] * ratio(i64::try_from(effort).unwrap_or(i64::MAX / 4) * 7, 5);
+        let reach = root_above(&square);
+        let unit = power_of_two(reach.numer().bits(), reach.denom().bits());
+        let mean = &bump.mean[(axis, 0)];
+        // Short fractions, so that the nodes are short.
+        (((mean - &reach) / &unit).floor() * &unit, ((mean + &reach) / &unit).ceil() * &unit)
+    };
+    (0..bump.mean.rows()).map(along).collect()
+}
 
-    /// pᵢ √(2π) around the points of x.
-    fn density(&self, part: &Along, factor: &Interval, x: &Interval, order: usize) -> Option<Taylor> {
-        let work = self.work;
-        let away = x.minus(&Interval::of(&part.mean, work), work);
-        let inverse = Interval::of(&part.variance.recip(), work);
-        let half = Interval::of(&ratio(-1, 2), work);
-        let curvature = half.times(&inverse, work);
-        let slope = away.times(&inverse, work).negated();
-        let exponent = square(&away, work).times(&curvature, work);
-        let density = Taylor::new([exponent, slope, curvature], order, work).exponential().ok()?;
-        Some(density.times(&Taylor::new([factor.clone()], order, work)))
-    }
+/// 2^(one − other − 6), about a sixty-fourth of a fraction of these lengths.
+fn power_of_two(one: u64, other: u64) -> Rational {
+    let power = |bits: u64| BigInt::from(1) << bits;
+    Rational::new(power(one), power(other + 6))
+}
 
-    /// The integrand times √(2π) around the points of x.
-    fn expansion(&self, x: &Interval) -> Option<Taylor> {
-        let work = self.work;
-        let rows = self.parts.first()?.differences.len();
-        let zero = || Taylor::new([], self.order, work);
-        let (mut total, mut sums) = (zero(), vec![zero(); rows]);
-        for (part, factor) in self.parts.iter().zip(&self.factors) {
-            let density = self.density(part, factor, x, self.order)?;
-            for (sum, difference) in sums.iter_mut().zip(&part.differences) {
-                let affine = [self.affine(difference, x), Interval::of(&difference.1, work)];
-                *sum = sum.plus(&density.times(&Taylor::new(affine, self.order, work)));
-            }
-            total = total.plus(&density);
+/// Boxes that cover these and do not overlap.
+fn disjoint(mut boxes: Vec<Bounds>) -> Vec<Bounds> {
+    let overlap = |one: &Bounds, other: &Bounds| one.iter().zip(other).all(|(a, b)| a.0 < b.1 && b.0 < a.1);
+    let join = |one: &Bounds, other: &Bounds| {
+        let least = |a: &Rational, b: &Rational| a.min(b).clone();
+        let most = |a: &Rational, b: &Rational| a.max(b).clone();
+        one.iter().zip(other).map(|(a, b)| (least(&a.0, &b.0), most(&a.1, &b.1))).collect()
+    };
+    let mut done: Vec<Bounds> = Vec::new();
+    while let Some(next) = boxes.pop() {
+        match done.iter().position(|other| overlap(&next, other)) {
+            // The larger box may meet others.
+            Some(place) => boxes.push(join(&next, &done.swap_remove(place))),
+            None => done.push(next),
         }
-        let squares = sums.iter().fold(zero(), |all, sum| all.plus(&sum.times(sum)));
-        squares.over(&total).ok()
     }
+    done
 }
 
-/// The squares of the members.
-fn square(x: &Interval, work: u64) -> Interval {
-    let product = x.times(x, work);
-    let around = x.lower().is_negative() && !x.upper().is_negative();
-    if around { Interval::zero().joined(&Interval::between(Dyadic::zero(), product.upper().clone())) } else { product }
+/// So many cells that exp(2πα/h) is about 2^effort: ln 2/(2π) < 0.1104.
+fn axis((first, last): &(Rational, Rational), width: &Rational, effort: u64) -> Option<Axis> {
+    let length = last - first;
+    let cells = &length * ratio(i64::try_from(effort).ok()?, 1) * ratio(1104, 10_000) / width;
+    let count = usize::try_from(cells.ceil().to_integer()).ok()?.max(1);
+    Some(Axis { first: first.clone(), step: length / Rational::from(BigInt::from(count)), count })
 }
 
-/// The root of an interval of positive numbers.
-fn root(x: &Interval, work: u64) -> Option<Interval> {
-    let of = |end: Option<Rational>| Interval::square_root(&end?, work).ok();
-    Some(of(x.lower().value())?.joined(&of(x.upper().value())?))
+/// A bound of the error of the sum over a box.
+fn remainder(bumps: &[Bump], axes: &[Axis], widths: &[Rational]) -> Option<Interval> {
+    let count = i64::try_from(bumps.len()).ok()?;
+    let coarse = |value: &Rational| Interval::of(value, COARSE);
+    let mut total = Interval::zero();
+    for bump in bumps {
+        let mut rows = Interval::of(&ratio(1, 1), COARSE);
+        for (place, (axis, width)) in axes.iter().zip(widths).enumerate() {
+            // 2π > 6.28318, and 2/(1 − e) ≤ 4 for e ≤ ½, of which there is plenty.
+            let decay = Interval::exponential(&(-(width / &axis.step) * ratio(628_318, 100_000)), COARSE).ok()?;
+            let along = if *decay.upper() <= Dyadic::new(BigInt::from(1), -1) { ratio(4, 1) } else { return None };
+            let mut parts = decay.times(&coarse(&along), COARSE);
+            let variance = &bump.covariance[(place, place)];
+            for end in [axis.first.clone(), axis.last()] {
+                let away = end - &bump.mean[(place, 0)];
+                let size = Interval::exponential(&(-(&away * &away) / (variance * ratio(2, 1))), COARSE).ok()?;
+                // 1/√(2π) < 0.4 and 1/π < 0.32
+                let height = root_above(&variance.recip()) * &axis.step * ratio(128, 1000);
+                parts = parts.plus(&size.times(&coarse(&height), COARSE), COARSE);
+            }
+            // |p| grows by exp(y²κ/2) ≤ e² < 8.
+            let most = largest(bump, axes, place, width) * &bump.weight * ratio(32 * count, 3);
+            total = total.plus(&parts.times(&rows, COARSE).times(&coarse(&most), COARSE), COARSE);
+            // h Σ g(xₖ) ≤ ∫ g + h max g for a density with one peak, here that of a coordinate given the other.
+            let peak = root_above(&bump.inverse[(place, place)]) * &axis.step * ratio(4, 10);
+            rows = rows.times(&coarse(&(peak + ratio(1, 1))), COARSE);
+        }
+    }
+    Some(total)
 }
 
-fn width(x: &Interval) -> Dyadic {
-    x.upper().plus(&x.lower().negated(), 64, Toward::Above)
+/// A bound of ‖a‖² in a box, and so far beside it along an axis.
+fn largest(bump: &Bump, axes: &[Axis], place: usize, width: &Rational) -> Rational {
+    let middle = Matrix::column(axes.iter().map(|axis| (&axis.first + axis.last()) * ratio(1, 2)).collect());
+    let value = &bump.slope * middle + &bump.offset;
+    let of_row = |row: usize| {
+        let size = |x: &Rational| if *x < ratio(0, 1) { -x } else { x.clone() };
+        let reach = |(column, axis): (usize, &Axis)| {
+            size(&bump.slope[(row, column)]) * (axis.last() - &axis.first) * ratio(1, 2)
+        };
+        let real = axes.iter().enumerate().map(reach).fold(size(&value[(row, 0)]), |sum, part| sum + part);
+        let imaginary = &bump.slope[(row, place)] * width;
+        &real * &real + &imaginary * &imaginary
+    };
+    (0..value.rows()).map(of_row).fold(ratio(0, 1), |sum, part| sum + part)
 }
 
-/// 2^−bits
-fn power_of_two(bits: u64) -> Rational {
-    Rational::new(BigInt::from(1), BigInt::from(1) << bits)
+fn trace(matrix: &Matrix<Rational>) -> Rational {
+    (0..matrix.rows()).fold(ratio(0, 1), |sum, i| sum + &matrix[(i, i)])
+}
+
+/// A fraction a little above the root of a positive one.
+pub(super) fn root_above(value: &Rational) -> Rational {
+    let root = Interval::square_root(value, 16).ok().and_then(|root| root.upper().shortened(16, Toward::Above).value());
+    root.unwrap_or_else(|| value + ratio(1, 1))
 }

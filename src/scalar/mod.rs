@@ -20,9 +20,9 @@ mod float;
 mod integer;
 mod interval;
 pub mod laws;
+mod normal;
 mod rational;
 mod residue;
-mod taylor;
 
 pub use dyadic::{Dyadic, Toward};
 pub use exponential::{Exponentials, Overflow};
@@ -31,7 +31,6 @@ pub(crate) use integer::common_divisor;
 pub use interval::Interval;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};
-pub use taylor::Taylor;
 
 /// What a scalar knows about the question "is this zero?".
 ///

@@ -59,10 +59,33 @@ fn the_price() {
         .unwrap()
         .replace(r#""mean": ["0"]"#, r#""mean": ["-1"]"#)
         .replace(r#""observation": [["2"]]"#, r#""observation": [["1"]]"#);
-    let out = feed(&["estimate", "-", "--price"], &coin).quietly(0);
-    assert!("0.05040049079330".starts_with(value(&out, "price of linearity")), "{out}");
-    let out = run(&["estimate", SLAB, "--price", "--last"]).quietly(0);
-    assert!(value(&out, "price of linearity").starts_with("unknown (the readings see 2 directions"), "{out}");
+    let out = feed(&["estimate", "-", "--price", "--digits", "12"], &coin).quietly(0);
+    assert_eq!(value(&out, "price of linearity"), "0.0504004907933", "{out}");
+    // Two directions; the digits of three and of ten agree.
+    let slab = |digits| run(&["estimate", SLAB, "--price", "--last", "--digits", digits]).quietly(0);
+    let (few, many) = (slab("3"), slab("10"));
+    let [few, many] = [&few, &many].map(|out| value(out, "price of linearity"));
+    assert!(many.len() > few.len() && few.len() > 3, "{few} {many}");
+    assert!((few.parse::<f64>().unwrap() / many.parse::<f64>().unwrap() - 1.0).abs() < 0.005, "{few} {many}");
+}
+
+#[test]
+fn three_directions_are_simulated_and_say_so() {
+    let corner = |x: &str| format!(r#"{{"weight": "1/2", "mean": ["{x}", "{x}", "{x}"]}}"#);
+    let slab = r#"{"weight": "1/2", "mean": ["0", "0", "0"], "covariance": [["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]}"#;
+    let unit = r#"[["1", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]]"#;
+    let case = format!(
+        r#"{{"format": "exact-kalman/estimate/1", "id": "cube", "initial_law": [{}, {slab}], "transition": {unit},
+        "observation": {unit}, "noise": {{"process": {unit}, "observation": {unit}}}, "observations": [["1", "2", "3"]]}}"#,
+        corner("1")
+    );
+    let of = |seed| feed(&["estimate", "-", "--price", "--price-draws", "1000", "--seed", seed], &case).quietly(0);
+    let (one, same, other) = (of("1"), of("1"), of("2"));
+    let text = value(&one, "price of linearity").to_owned();
+    assert!(text.starts_with("unsupported (the readings see 3 directions"), "{text}");
+    assert!(text.contains("simulated") && text.ends_with("of 1000 draws, seed 1; no proof"), "{text}");
+    assert!(one == same && one != other);
+    assert_eq!(feed(&["estimate", "-", "--price-draws", "1000"], &case).code, 2);
 }
 
 #[test]

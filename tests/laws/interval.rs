@@ -1,6 +1,6 @@
 //! Dyadic numbers rounded in a direction, and what intervals enclose.
 
-use exact_kalman::scalar::{Dyadic, Exponentials, Interval, Rational, Taylor, Toward, Undefined, ratio};
+use exact_kalman::scalar::{Dyadic, Exponentials, Interval, Rational, Toward, Undefined, ratio};
 use num_bigint::BigInt;
 use num_traits::Signed;
 use quickcheck::QuickCheck;
@@ -250,47 +250,4 @@ fn circles_turn() {
             && width * Rational::from(BigInt::from(1) << bits) <= ratio(1, 1)
     }
     QuickCheck::new().tests(300).quickcheck(property as fn((i64, i64), (i32, i64), u8) -> bool);
-}
-
-/// Taylor coefficients at a point: of 1/(1 − x), exp(x), their product and quotient at 0, which are known; and over [−1/4, 1/4] they
-/// enclose those at every point of it.
-#[test]
-fn taylor_coefficients() {
-    const ORDER: usize = 8;
-    let point = |x: &Rational| Interval::of(x, 80);
-    let inside = |x: &Rational, found: &Interval| value(found.lower()) <= *x && *x <= value(found.upper());
-    let variable = |at: Interval| Taylor::new([at, point(&ratio(1, 1))], ORDER, 80);
-    let constant = |x: i64| Taylor::new([point(&ratio(x, 1))], ORDER, 80);
-    let geometric = |at: &Taylor| constant(1).over(&constant(1).plus(&at.times(&constant(-1))));
-    let cell = Interval::between(Dyadic::new((-1).into(), -2), Dyadic::new(1.into(), -2));
-    let over_cell = variable(cell);
-    let exponential_over_cell = over_cell.exponential().unwrap_or_else(|error| panic!("{error}"));
-    let geometric_over_cell = geometric(&over_cell).unwrap_or_else(|error| panic!("{error}"));
-    for x in [ratio(-1, 4), ratio(0, 1), ratio(1, 5), ratio(1, 4)] {
-        let at = variable(point(&x));
-        let (exponential, series) = (at.exponential().unwrap(), geometric(&at).unwrap());
-        let e = Interval::exponential(&x, 70).unwrap();
-        let (mut factorial, mut power) = (ratio(1, 1), ratio(1, 1) / (ratio(1, 1) - &x));
-        for n in 0..=ORDER {
-            if n > 0 {
-                factorial *= ratio(i64::try_from(n).unwrap(), 1);
-                power /= ratio(1, 1) - &x;
-            }
-            // f_n of 1/(1 − x) is (1 − x)^(−n−1), that of exp is exp(x)/n!
-            assert!(
-                inside(&power, &series.coefficients()[n]) && inside(&power, &geometric_over_cell.coefficients()[n])
-            );
-            let of = |found: &Taylor| found.coefficients()[n].times(&Interval::of(&factorial, 80), 80);
-            let whole = of(&exponential_over_cell);
-            assert!(meets(&of(&exponential), &e) && whole.lower() <= e.upper() && e.lower() <= whole.upper());
-        }
-        // exp(x)/(1 − x) · (1 − x) = exp(x)
-        let back = exponential.times(&series).over(&series).unwrap();
-        assert!(back.coefficients().iter().zip(exponential.coefficients()).all(|(a, b)| meets(a, b)));
-    }
-    assert!(constant(1).over(&over_cell).is_err());
-}
-
-fn meets(a: &Interval, b: &Interval) -> bool {
-    a.lower() <= b.upper() && b.lower() <= a.upper()
 }

@@ -4,4 +4,5 @@ mod broken;
 mod fields;
 mod fractions;
 mod interval;
+mod normal;
 mod rational;

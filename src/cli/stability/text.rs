@@ -117,10 +117,7 @@ impl Page<'_> {
                     return format!("unbounded: paths that stay in {names} keep what each step adds");
                 }
                 let times = self.numbers.below(&proof.radius);
-                format!(
-                    "unbounded: at least {times} times as large with each step of paths that stay in {}",
-                    names.join(", ")
-                )
+                format!("unbounded: at least {times} times as large with each step of paths that stay in {names}")
             }
             Moment::Decided(MomentVerdict::Undecided(doubt)) => format!("undecided: {}", reason(*doubt)),
         }

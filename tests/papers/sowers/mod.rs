@@ -5,6 +5,7 @@ mod characteristic;
 mod decomposition;
 mod errata;
 mod estimates;
+mod functionals;
 mod girsanov;
 mod horizon;
 mod lemmas;
@@ -12,6 +13,7 @@ mod limit;
 mod measure;
 mod moments;
 mod price;
+mod price_values;
 mod start;
 mod world;
 

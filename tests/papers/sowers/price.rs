@@ -2,7 +2,7 @@
 
 use exact_kalman::gaussian::Gaussian;
 use exact_kalman::matrix::Matrix;
-use exact_kalman::nongaussian::{Component, Enclosed, InitialLaw, Posterior, PriceError, Statistics, statistics};
+use exact_kalman::nongaussian::{Component, Enclosed, InitialLaw, Posterior, Statistics, statistics};
 use exact_kalman::scalar::{Dyadic, Interval, Rational, ratio};
 use num_bigint::BigInt;
 
@@ -167,35 +167,6 @@ fn pythagoras() {
             assert!(meet(&enclosure(&difference[row]), &slope));
         }
     }
-}
-
-/// SM-T3, SM-4.30, SM-epsilon: 0 ≤ ε ≤ tr(Q*(I + ΔR*)⁻¹ΔQ*ᵀ), the price of not knowing ξ at all that the affine estimate pays, for random scalar
-/// models and a mixture; and for many directions nothing is claimed.
-#[test]
-fn the_price_is_bounded() {
-    let mut dice = Dice(7);
-    for _ in 0..4 {
-        let mut number_between = |low: i64, high: u64| low + i64::try_from(dice.below(high)).unwrap();
-        let model = [
-            number_between(1, 2),
-            number_between(1, 2),
-            number_between(0, 3),
-            number_between(0, 2),
-            number_between(1, 3),
-        ];
-        let now = after([model[0], model[1], model[2] + 1, 0, model[4]], &[0, 0]);
-        let law = mixed(1, &mut dice);
-        let (lower, upper) = ends(&now.price_of_linearity(&law, 30).expect("one direction"));
-        let spread = now.linear(&law).covariance - &now.covariance;
-        assert!(ratio(0, 1) <= lower && lower <= upper && upper <= spread[(0, 0)]);
-    }
-    let world =
-        (1..100).map(|seed| World::random(seed, Noises::Correlated)).find(|w| w.n == 2 && w.k == 2).expect("some");
-    let now = world.statistics(&vec![Matrix::zeros(2, 1); world.steps.len()]).pop().expect("some");
-    let atoms = [[0, 0], [1, 0], [0, 3]].map(|z| (ratio(1, 3), Matrix::column(z.map(|x| ratio(x, 1)).to_vec())));
-    let law = InitialLaw::atoms(atoms).expect("a law");
-    assert_eq!(now.precision().rank(), 2);
-    assert_eq!(now.price_of_linearity(&law, 30), Err(PriceError::Dimension { rank: 2 }));
 }
 
 /// SM-4.30: two states, one direction seen: A = I, H = (1, 2), one reading. ξ = (±1, 0) looks like the scalar coin with Y = ±1 + V.
