@@ -2,7 +2,9 @@
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
-use exact_kalman::stability::{Bracket, ClosedLoopBound, ClosedLoopError, Factor, GainError, Mode, riccati_path};
+use exact_kalman::stability::{
+    Bracket, ClosedLoopBound, ClosedLoopError, Factor, GainError, Mode, RiccatiStep, riccati_path,
+};
 
 use super::draws::{mode, sizes};
 use super::paths::trace;
@@ -68,6 +70,13 @@ fn products_of_the_closed_loop() {
                 step.next.loewner_le(&step.noise.scaled(&t)).expect("the upper end");
             }
             if d == 1 {
+                let factor = |step: &RiccatiStep<Rational>| {
+                    let t = &step.next[(0, 0)] / &step.noise[(0, 0)];
+                    &t / (ratio(1, 1) + &t)
+                };
+                let right =
+                    steps[..n].iter().map(factor).product::<Rational>() * &steps[n - 1].next[(0, 0)] / &initial[(0, 0)];
+                assert_eq!((printed.lower(), printed.upper()), (right.clone(), right));
                 assert_eq!((sharp.lower(), sharp.upper()), (product.squared_norm(), product.squared_norm()));
             }
         }
@@ -121,7 +130,10 @@ fn the_gain_is_bounded() {
         assert!(is_bounded(&step.gain, &(&norm * &bounds.sharp)));
         let innovation = drawn.observation().congruence(&p) + drawn.observation_noise();
         let (s, seen) = (innovation.inverse().expect("R > 0"), drawn.observation().congruence(&p));
-        assert_eq!(bounds.innovation, trace(&(&seen * &s * &s)));
+        let inverse = drawn.observation_noise().inverse().expect("R > 0");
+        let sensors = Rational::from_integer(m.into());
+        let written = [trace(&(&seen * &s * &s)), trace(&s), trace(&inverse), sensors / &floor];
+        assert_eq!(chain.map(Clone::clone), written);
         s.congruence(&seen).loewner_le(&Matrix::identity(m).scaled(&bounds.sharp)).expect("x − ax² ≤ 1/(4a)");
         let transported = drawn.transition() * &step.gain;
         (&transported * transported.transpose()).scaled(&floor).loewner_le(&step.noise).expect("R ≥ aI");
