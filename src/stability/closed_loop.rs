@@ -27,7 +27,11 @@ pub enum Factor {
     Sharp,
 }
 
-/// A product of the closed loop over steps m, …, n − 1 with the parts of its bound, each between two fractions.
+/// Lemma 2.2 for the steps of one path: their product, and the parts of its bound.
+///
+/// WG-L2.2: `F(k), Q̄(k) > 0 and P(k) of the Lyapunov form, P(m) > 0: the bound (55) holds for all n > m`
+///
+/// The steps are m, …, n − 1; each part of the bound is enclosed between two fractions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ClosedLoopBound<S> {
     /// `F(n−1)(I − L(n−1)H(n−1))⋯F(m)(I − L(m)H(m))`, d×d.

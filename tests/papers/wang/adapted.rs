@@ -17,6 +17,7 @@ struct World {
     /// x(0), …, x(n).
     states: Vec<Rational>,
     path: Vec<Mode<Rational>>,
+    steps: Vec<RiccatiStep<Rational>>,
 }
 
 /// An unstable transition after a positive reading, a stable one after a negative one, and the gain of the sensor by the reading before.
@@ -41,22 +42,19 @@ impl World {
             states.push(&f * &states[k] + &w[k]);
             path.push(scalar_mode([f, h, ratio(1, 1), ratio(1, 1)]));
         }
-        Self { w, v, readings, states, path }
+        let steps = riccati_path(&path, &scalar(ratio(1, 1)));
+        Self { w, v, readings, states, path, steps }
     }
 
     fn all() -> Vec<Self> {
         (0..1 << (1 + 2 * STEPS)).map(Self::of).collect()
     }
 
-    fn steps(&self) -> Vec<RiccatiStep<Rational>> {
-        riccati_path(&self.path, &scalar(ratio(1, 1)))
-    }
-
     /// x̃(0), …, x̃(n), by the filter.
     fn errors(&self) -> Vec<Rational> {
         let mut estimate = ratio(0, 1);
         let mut errors = vec![self.states[0].clone()];
-        for (k, step) in self.steps().iter().enumerate() {
+        for (k, step) in self.steps.iter().enumerate() {
             let (f, h) = (&self.path[k].transition()[(0, 0)], &self.path[k].observation()[(0, 0)]);
             estimate = f * &estimate + f * &step.gain[(0, 0)] * (&self.readings[k] - h * &estimate);
             errors.push(&self.states[k + 1] - &estimate);
@@ -69,12 +67,12 @@ impl World {
         let part = |(k, step): (usize, &RiccatiStep<Rational>)| {
             &self.w[k] - &self.path[k].transition()[(0, 0)] * &step.gain[(0, 0)] * &self.v[k]
         };
-        self.steps().iter().enumerate().map(part).collect()
+        self.steps.iter().enumerate().map(part).collect()
     }
 
     /// ∏[j=i..k−1] F(j)(I − L(j)H(j)).
     fn product(&self, i: usize, k: usize) -> Rational {
-        self.steps()[i..k].iter().map(|step| step.closed_loop[(0, 0)].clone()).product()
+        self.steps[i..k].iter().map(|step| step.closed_loop[(0, 0)].clone()).product()
     }
 }
 
@@ -90,7 +88,7 @@ fn mean(worlds: &[World], of: impl Fn(&World) -> Rational) -> Rational {
 fn the_error_identities_hold_in_every_world() {
     let worlds = World::all();
     for world in &worlds {
-        let (errors, parts, steps) = (world.errors(), world.new_parts(), world.steps());
+        let (errors, parts, steps) = (world.errors(), world.new_parts(), &world.steps);
         for k in 0..STEPS {
             assert_eq!(errors[k + 1], &steps[k].closed_loop[(0, 0)] * &errors[k] + &parts[k]);
             let sum = (1..=k + 1).map(|i| world.product(i, k + 1) * &parts[i - 1]).sum::<Rational>();
@@ -128,12 +126,12 @@ fn the_error_is_bounded_in_the_mean() {
         let bound = first + (1..=k + 1).map(of).sum::<Rational>();
         assert!(absolute <= bound);
         // The new part: ‖w‖₂ + ‖P‖₂^½ ‖v‖₄/√a with ‖w‖₂ = ‖v‖₄ = a = 1.
-        let covariance = |world: &World| world.steps()[k].next[(0, 0)].clone();
+        let covariance = |world: &World| world.steps[k].next[(0, 0)].clone();
         let new = ratio(1, 1) + root(&mean(&worlds, |world| power(&covariance(world), 2)), 4);
         assert!(second(&|world| world.new_parts()[k].clone()) <= new);
         for world in &worlds {
             assert!(covariance(world) <= ratio(5, 1));
-            let fl = &world.path[k].transition()[(0, 0)] * &world.steps()[k].gain[(0, 0)];
+            let fl = &world.path[k].transition()[(0, 0)] * &world.steps[k].gain[(0, 0)];
             assert!(power(&fl, 2) <= covariance(world));
             for i in 0..=k {
                 let decay = ratio(5, 1) * power(&ratio(4, 5), k + 1 - i);
@@ -169,7 +167,7 @@ fn the_transition_counts_in_the_new_part() {
     assert_eq!((square, step.next[(0, 0)].clone()), (ratio(4, 1), ratio(9, 1)));
     let worlds = World::all();
     let of = |world: &World| {
-        let (f, l) = (&world.path[2].transition()[(0, 0)], &world.steps()[2].gain[(0, 0)]);
+        let (f, l) = (&world.path[2].transition()[(0, 0)], &world.steps[2].gain[(0, 0)]);
         (power(f, 2), power(l, 2))
     };
     let product = mean(&worlds, |world| of(world).0) * mean(&worlds, |world| of(world).1);

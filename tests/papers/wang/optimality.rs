@@ -40,6 +40,8 @@ fn the_filter_is_the_projection_on_the_readings() {
 
 /// Erratum WG-noise: with E[w(k+1)wᵀ(k+1)] = Q(k) the variance of x(1) given y(0) is the 3/2 of WG-1; with Q(k+1), as printed, 5/2:
 /// F = H = R = P(0) = 1, Q(0) = 1, Q(1) = 2.
+///
+/// Erratum WG-noise-3: the same slip in the same model; WG-71 is WG-1.
 #[test]
 fn the_noise_that_arrives_has_the_covariance_of_the_step() {
     let of = |q| scalar_mode([1, 1, q, 1].map(|value| ratio(value, 1)));
