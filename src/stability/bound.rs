@@ -44,15 +44,14 @@ pub enum BoundError<S> {
 
 impl<S: OrderedField> UniformBound<S> {
     /// The window whose bound has the largest trace: `tr P(k) ≤ tr` of it for every k ≥ h, every path, every P(0).
+    ///
+    /// # Panics
+    ///
+    /// If there is no window; [`ModeProcess::uniform_bound`] yields one at least.
     pub fn worst(&self) -> &WindowBound<S> {
-        let mut worst = (&self.windows[0], self.windows[0].covariance.trace());
-        for window in &self.windows {
-            let trace = window.covariance.trace();
-            if trace > worst.1 {
-                worst = (window, trace);
-            }
-        }
-        worst.0
+        // The last of several largest is taken, so they are turned round.
+        let worst = self.windows.iter().rev().max_by_key(|window| window.covariance.trace());
+        worst.expect("a process has a mode that occurs")
     }
 
     /// The bound of P(k) after these modes, the last one being that of k−1; nothing if they are fewer than h or have

@@ -17,6 +17,7 @@ mod margin;
 mod mode;
 mod observability;
 mod process;
+mod search;
 mod subspace;
 mod unobservable;
 

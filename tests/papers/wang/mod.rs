@@ -1,7 +1,12 @@
 //! Wang, Guo 1999: the claims on random Riccati equations, and what the paper prints beside what is right.
 
 mod draws;
+mod earlier_conditions;
 mod equation;
+mod lossy_link;
+mod moments;
+mod observability;
+mod uniform_bound;
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
