@@ -78,6 +78,20 @@ impl<S: OrderedField> ModeProcess<S> {
     /// # Errors
     ///
     /// [`BoundError`]: with the path that fails if A1 does, or because a limit is reached.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use exact_kalman::{matrix::Matrix, scalar::{ratio, Rational}, stability::{Mode, ModeProcess}};
+    ///
+    /// let scalar = |value| Matrix::<Rational>::diagonal(&[ratio(value, 1)]);
+    /// // A good sensor or a bad one, of variance 1 or 5: f² r + q.
+    /// let read = |r| Mode::new(scalar(2), scalar(1), scalar(1), scalar(r));
+    /// let sensors = ModeProcess::independent(vec![read(1)?, read(5)?], vec![ratio(1, 2), ratio(1, 2)])?;
+    /// let bound = sensors.uniform_bound(1, 1000)?;
+    /// assert_eq!((bound.worst().modes.as_slice(), &bound.worst().covariance), ([1].as_slice(), &scalar(21)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn uniform_bound(&self, length: usize, most: usize) -> Result<UniformBound<S>, BoundError<S>> {
         let verdict = self.observability(Window::Shifted, length, most)?;
         if let Some(failure) = verdict.failures.into_iter().next() {

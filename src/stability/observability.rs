@@ -129,6 +129,25 @@ impl<S: OrderedField> ModeProcess<S> {
     /// # Errors
     ///
     /// [`TooManySubspaces`] if it is reached.
+    ///
+    /// # Examples
+    ///
+    /// A sensor that works every second time needs h = 2; one that may fail at any time sees nothing on the path of all failures:
+    ///
+    /// ```
+    /// use exact_kalman::{matrix::Matrix, scalar::{ratio, Rational}, stability::{Mode, ModeProcess, Start, Window}};
+    ///
+    /// let scalar = |value| Matrix::<Rational>::diagonal(&[ratio(value, 1)]);
+    /// let modes = vec![Mode::new(scalar(2), scalar(0), scalar(1), scalar(1))?, Mode::new(scalar(2), scalar(1), scalar(1), scalar(1))?];
+    /// let half = || vec![ratio(1, 2), ratio(1, 2)];
+    /// let second = ModeProcess::markov(modes.clone(), half(), Matrix::from_integers(&[[0, 1], [1, 0]]))?;
+    /// assert_eq!(second.smallest_window(Window::Shifted, 1000)?.length(), Some(2));
+    ///
+    /// let verdict = ModeProcess::independent(modes, half())?.smallest_window(Window::Shifted, 1000)?;
+    /// let Start::Never(proof) = &verdict.starts[0].1 else { panic!("no h will do") };
+    /// assert_eq!((proof.modes.as_slice(), proof.back_to), ([0].as_slice(), 0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn smallest_window(&self, window: Window, most: usize) -> Result<SmallestWindow<S>, TooManySubspaces> {
         let mut search = Search::new(self, most);
         search.extend()?;

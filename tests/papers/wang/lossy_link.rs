@@ -1,7 +1,8 @@
 //! Example 1.1: a scalar state that is observed or not.
 
+use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, Scalar, ratio};
-use exact_kalman::stability::{CovarianceLaw, ModeProcess, Window};
+use exact_kalman::stability::{CovarianceLaw, ModeProcess, StartError, TooManyStates, Window};
 
 use super::{scalar, scalar_mode};
 
@@ -190,7 +191,7 @@ fn for_independent_observations_the_window_does_not_matter() {
 #[test]
 fn alternating_observations_need_no_independence() {
     let mode = |h| scalar_mode([3, h, 1, 1].map(|entry| ratio(entry, 1)));
-    let alternate = exact_kalman::matrix::Matrix::from_integers(&[[0, 1], [1, 0]]);
+    let alternate = Matrix::from_integers(&[[0, 1], [1, 0]]);
     let process =
         ModeProcess::markov(vec![mode(0), mode(1)], vec![ratio(1, 2), ratio(1, 2)], alternate).expect("probabilities");
     for window in [Window::Shifted, Window::Printed] {
@@ -237,5 +238,34 @@ fn bounded_in_probability_and_not_in_the_mean() {
         }
         let growth = (1..k).fold(ratio(1, 1), |power, _| power * ratio(4, 1));
         assert!(moment(law, 1) >= growth);
+    }
+}
+
+/// WG-D1.1: no law has more states than allowed, one that would have more leaves the last one as it is; and P(0) must be a
+/// covariance.
+#[test]
+fn a_law_of_too_many_states_says_so() {
+    let process = Link::lossy(ratio(2, 1), &ratio(1, 2)).process();
+    let mut law = CovarianceLaw::start(&process, scalar(ratio(1, 1)), 4).expect("a variance");
+    law.advance().expect("two states");
+    law.advance().expect("four states");
+    let before = law.mean();
+    assert_eq!(law.advance(), Err(TooManyStates { time: 3, limit: 4 }));
+    assert_eq!((law.time(), law.states().len(), law.mean()), (2, 4, before));
+    let negative = CovarianceLaw::start(&process, scalar(ratio(-1, 1)), 4);
+    assert!(matches!(negative, Err(StartError::NotSemidefinite(_))));
+    let wide = CovarianceLaw::start(&process, Matrix::identity(2), 4);
+    assert!(matches!(wide, Err(StartError::Shape { .. })));
+}
+
+/// WG-46: without noise of the process a lost observation and one of nothing are the same: the paths to a state that is
+/// known for certain are one, and modes with one law of the next are not told apart.
+#[test]
+fn paths_that_meet_are_one() {
+    let process = Link { q: ratio(0, 1), ..Link::lossy(ratio(2, 1), &ratio(1, 4)) }.process();
+    for law in laws(&process, ratio(0, 1), 5) {
+        assert_eq!(law.states().len(), 1);
+        assert_eq!(law.states()[0].probability, ratio(1, 1));
+        assert_eq!(law.states()[0].path, vec![0; law.time()]);
     }
 }
