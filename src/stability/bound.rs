@@ -44,15 +44,14 @@ pub enum BoundError<S> {
 
 impl<S: OrderedField> UniformBound<S> {
     /// The window whose bound has the largest trace: `tr P(k) ≤ tr` of it for every k ≥ h, every path, every P(0).
+    ///
+    /// # Panics
+    ///
+    /// If there is no window; [`ModeProcess::uniform_bound`] yields one at least.
     pub fn worst(&self) -> &WindowBound<S> {
-        let mut worst = (&self.windows[0], self.windows[0].covariance.trace());
-        for window in &self.windows {
-            let trace = window.covariance.trace();
-            if trace > worst.1 {
-                worst = (window, trace);
-            }
-        }
-        worst.0
+        // The last of several largest is taken, so they are turned round.
+        let worst = self.windows.iter().rev().max_by_key(|window| window.covariance.trace());
+        worst.expect("a process has a mode that occurs")
     }
 
     /// The bound of P(k) after these modes, the last one being that of k−1; nothing if they are fewer than h or have
@@ -79,6 +78,20 @@ impl<S: OrderedField> ModeProcess<S> {
     /// # Errors
     ///
     /// [`BoundError`]: with the path that fails if A1 does, or because a limit is reached.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use exact_kalman::{matrix::Matrix, scalar::{ratio, Rational}, stability::{Mode, ModeProcess}};
+    ///
+    /// let scalar = |value| Matrix::<Rational>::diagonal(&[ratio(value, 1)]);
+    /// // A good sensor or a bad one, of variance 1 or 5: f² r + q.
+    /// let read = |r| Mode::new(scalar(2), scalar(1), scalar(1), scalar(r));
+    /// let sensors = ModeProcess::independent(vec![read(1)?, read(5)?], vec![ratio(1, 2), ratio(1, 2)])?;
+    /// let bound = sensors.uniform_bound(1, 1000)?;
+    /// assert_eq!((bound.worst().modes.as_slice(), &bound.worst().covariance), ([1].as_slice(), &scalar(21)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn uniform_bound(&self, length: usize, most: usize) -> Result<UniformBound<S>, BoundError<S>> {
         let verdict = self.observability(Window::Shifted, length, most)?;
         if let Some(failure) = verdict.failures.into_iter().next() {

@@ -175,14 +175,9 @@ impl<'p, S: OrderedField> CovarianceLaw<'p, S> {
 
     /// The state whose P(k) has the largest trace; among several the first.
     pub fn worst(&self) -> &CovarianceState<S> {
-        let larger = |one, other: &'_ CovarianceState<S>| one < other.covariance.trace();
-        let mut worst = &self.states[0];
-        for state in &self.states {
-            if larger(worst.covariance.trace(), state) {
-                worst = state;
-            }
-        }
-        worst
+        // The last of several largest is taken, so they are turned round.
+        let worst = self.states.iter().rev().max_by_key(|state| state.covariance.trace());
+        worst.unwrap_or_else(|| unreachable!("probabilities add up to one"))
     }
 }
 

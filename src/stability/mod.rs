@@ -37,6 +37,7 @@ mod observability;
 mod observer;
 mod process;
 mod product;
+mod search;
 mod subspace;
 mod transition_matrix;
 mod unobservable;

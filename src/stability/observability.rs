@@ -1,6 +1,6 @@
 //! Stochastic observability, decided.
 
-use super::subspace::Subspace;
+use super::search::Search;
 use super::{ModeProcess, UnobservableLoop, UnobservablePath, Window};
 use crate::scalar::OrderedField;
 
@@ -67,22 +67,6 @@ pub struct TooManySubspaces {
     pub length: usize,
 }
 
-/// A largest subspace that some path of n modes does not see, and what follows its first mode: a mode and the place of the
-/// subspace there, one level below.
-type Member<S> = (Subspace<S>, Option<(usize, usize)>);
-
-/// For each mode the largest subspaces that paths of n modes from there do not see.
-type Level<S> = Vec<Vec<Member<S>>>;
-
-/// The levels from n = 0 on.
-struct Search<'p, S> {
-    process: &'p ModeProcess<S>,
-    reachable: Vec<usize>,
-    levels: Vec<Level<S>>,
-    formed: usize,
-    limit: usize,
-}
-
 impl<S: OrderedField> ModeProcess<S> {
     /// Whether A1 holds with windows of h steps.
     ///
@@ -90,8 +74,9 @@ impl<S: OrderedField> ModeProcess<S> {
     ///
     /// With finitely many modes: along no path of positive probability is G singular. Paths are not enumerated. What the
     /// path i, j, … does not see is `{v : H(i)v = 0, F(i)v ∈ V}`, V being what j, … does not see; so it is enough to keep, for
-    /// each mode, the different subspaces V, and of these those that lie in no other. `most` is the number of subspaces that
-    /// may be formed.
+    /// each mode, the different subspaces V, and of these those that lie in no other. A subspace costs one elimination of d
+    /// columns, and comparisons with the others of its mode; `most` is the number of subspaces that may be formed, at most
+    /// (number of steps)·(number of pairs of modes that follow each other)·(most subspaces kept for one mode).
     ///
     /// # Errors
     ///
@@ -122,9 +107,7 @@ impl<S: OrderedField> ModeProcess<S> {
         while search.length() < length {
             search.extend()?;
         }
-        let starts = search.reachable.iter();
-        let failures = starts.filter_map(|&mode| search.unseen_from(window, mode, length)).collect();
-        Ok(Observability { window, length, failures })
+        Ok(Observability { window, length, failures: search.failures(window, length) })
     }
 
     /// The smallest h with which A1 holds, for windows that begin at each mode and so for all; or the proof that there is
@@ -137,125 +120,31 @@ impl<S: OrderedField> ModeProcess<S> {
     /// # Errors
     ///
     /// [`TooManySubspaces`] if it is reached.
+    ///
+    /// # Examples
+    ///
+    /// A sensor that works every second time needs h = 2; one that may fail at any time sees nothing on the path of all failures:
+    ///
+    /// ```
+    /// use exact_kalman::{matrix::Matrix, scalar::{ratio, Rational}, stability::{Mode, ModeProcess, Start, Window}};
+    ///
+    /// let scalar = |value| Matrix::<Rational>::diagonal(&[ratio(value, 1)]);
+    /// let modes = vec![Mode::new(scalar(2), scalar(0), scalar(1), scalar(1))?, Mode::new(scalar(2), scalar(1), scalar(1), scalar(1))?];
+    /// let half = || vec![ratio(1, 2), ratio(1, 2)];
+    /// let second = ModeProcess::markov(modes.clone(), half(), Matrix::from_integers(&[[0, 1], [1, 0]]))?;
+    /// assert_eq!(second.smallest_window(Window::Shifted, 1000)?.length(), Some(2));
+    ///
+    /// let verdict = ModeProcess::independent(modes, half())?.smallest_window(Window::Shifted, 1000)?;
+    /// let Start::Never(proof) = &verdict.starts[0].1 else { panic!("no h will do") };
+    /// assert_eq!((proof.modes.as_slice(), proof.back_to), ([0].as_slice(), 0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn smallest_window(&self, window: Window, most: usize) -> Result<SmallestWindow<S>, TooManySubspaces> {
         let mut search = Search::new(self, most);
         search.extend()?;
         while !search.is_settled() {
             search.extend()?;
         }
-        let starts = search.reachable.iter().map(|&mode| (mode, search.verdict(window, mode))).collect();
-        Ok(SmallestWindow { window, starts })
-    }
-}
-
-impl<'p, S: OrderedField> Search<'p, S> {
-    fn new(process: &'p ModeProcess<S>, limit: usize) -> Self {
-        let nothing_seen = vec![(Subspace::whole(process.states()), None)];
-        let levels = vec![vec![nothing_seen; process.modes().len()]];
-        Self { process, reachable: process.reachable(), levels, formed: 0, limit }
-    }
-
-    /// The longest window so far.
-    fn length(&self) -> usize {
-        self.levels.len() - 1
-    }
-
-    fn last(&self) -> &Level<S> {
-        &self.levels[self.length()]
-    }
-
-    fn extend(&mut self) -> Result<(), TooManySubspaces> {
-        let mut level = vec![Vec::new(); self.process.modes().len()];
-        for mode in self.reachable.clone() {
-            let after: usize = self.process.successors(mode).map(|next| self.last()[next].len()).sum();
-            self.formed += after;
-            if self.formed > self.limit {
-                return Err(TooManySubspaces { limit: self.limit, length: self.length() });
-            }
-            level[mode] = self.before(mode, Subspace::before, self.length());
-        }
-        self.levels.push(level);
-        Ok(())
-    }
-
-    /// What is not seen from a mode on, if it is followed by a path of `length` modes.
-    fn before(
-        &self,
-        mode: usize,
-        step: impl Fn(&Subspace<S>, &super::Mode<S>) -> Subspace<S>,
-        length: usize,
-    ) -> Vec<Member<S>> {
-        let members = self.process.successors(mode).flat_map(|next| {
-            let family = self.levels[length][next].iter().enumerate();
-            family.map(move |(place, (space, _))| (space, (next, place)))
-        });
-        let own = &self.process.modes()[mode];
-        Subspace::largest(members.map(|(space, link)| (step(space, own), Some(link))).collect())
-    }
-
-    /// Whether the last two levels hold the same subspaces.
-    fn is_settled(&self) -> bool {
-        let [.., before, last] = self.levels.as_slice() else { return false };
-        let same = |one: &[Member<S>], other: &[Member<S>]| {
-            one.len() == other.len() && one.iter().zip(other).all(|(one, other)| one.0 == other.0)
-        };
-        self.reachable.iter().all(|&mode| same(&before[mode], &last[mode]))
-    }
-
-    /// The subspaces that windows of this length do not see.
-    fn unseen(&self, window: Window, mode: usize, length: usize) -> Vec<Member<S>> {
-        match window {
-            Window::Shifted => self.levels[length][mode].clone(),
-            Window::Printed => self.before(mode, Subspace::before_transition, length),
-        }
-    }
-
-    fn unseen_from(&self, window: Window, mode: usize, length: usize) -> Option<UnobservablePath<S>> {
-        let unseen = self.unseen(window, mode, length);
-        let (space, link) = unseen.first().filter(|(space, _)| !space.is_zero())?;
-        let mut modes = vec![mode];
-        let mut link = *link;
-        let mut level = length - usize::from(window == Window::Shifted && length > 0);
-        while let Some((next, place)) = link {
-            modes.push(next);
-            link = self.levels[level][next][place].1;
-            level = level.saturating_sub(1);
-        }
-        // The last level has seen nothing yet.
-        modes.pop();
-        Some(UnobservablePath { window, modes, vector: space.basis().select_columns(&[0]) })
-    }
-
-    fn verdict(&self, window: Window, mode: usize) -> Start<S> {
-        let fails = |length| self.unseen_from(window, mode, length);
-        match (1..=self.length()).find(|&length| fails(length).is_none()) {
-            Some(length) => Start::Observable { length, shorter: if length > 1 { fails(length - 1) } else { None } },
-            None => Start::Never(self.unobservable_loop(window, mode)),
-        }
-    }
-
-    /// Follows the links of the last level within itself: both levels hold the same subspaces at the same places.
-    fn unobservable_loop(&self, window: Window, mode: usize) -> UnobservableLoop<S> {
-        let level = self.last();
-        let mut modes = Vec::new();
-        let mut subspaces = Vec::new();
-        let mut link = (mode, 0);
-        if window == Window::Printed {
-            let unseen = self.unseen(window, mode, self.length());
-            modes.push(mode);
-            subspaces.push(unseen[0].0.basis());
-            link = unseen[0].1.unwrap_or(link);
-        }
-        let mut visited = vec![None; modes.len()];
-        loop {
-            if let Some(back_to) = visited.iter().position(|known| *known == Some(link)) {
-                return UnobservableLoop { window, modes, back_to, subspaces };
-            }
-            let (space, next) = &level[link.0][link.1];
-            visited.push(Some(link));
-            modes.push(link.0);
-            subspaces.push(space.basis());
-            link = next.unwrap_or(link);
-        }
+        Ok(SmallestWindow { window, starts: search.verdicts(window) })
     }
 }

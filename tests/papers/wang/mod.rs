@@ -3,16 +3,21 @@
 mod adapted;
 mod closed_loop;
 mod draws;
+mod earlier_conditions;
 mod equation;
 mod gramian;
+mod lossy_link;
 mod means;
 mod misspecified;
+mod moments;
+mod observability;
 mod observer;
 mod optimality;
 mod paths;
 mod powers;
 mod sources;
 mod transition;
+mod uniform_bound;
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
