@@ -11,4 +11,5 @@ mod minors;
 mod parallel_sum;
 mod pseudo_inverse;
 mod spectral_radius;
+mod symmetric_power;
 mod worlds;

@@ -1,7 +1,15 @@
 //! Wang, Guo 1999: the claims on random Riccati equations, and what the paper prints beside what is right.
 
+mod constants;
+mod critical;
+mod decay;
 mod draws;
 mod equation;
+mod error_recursion;
+mod exponential;
+mod moment_conditions;
+mod moments;
+mod window;
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
