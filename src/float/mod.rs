@@ -18,7 +18,7 @@
 //!
 //! Beside the forms stand the parallel sum, the fixed point of the map of Riccati and Stein's equation.
 //! [`Estimator`] and [`AdaptiveFilter`] are the twins of the exact ones in the room `identify`, which they do not know
-//! (AK-2.1, AK-2.2, AK-B.hat, AK-2.3a, AK-2.4).
+//! (AK-2.1, AK-2.2, AK-B.hat, AK-2.3a, AK-2.4). [`FloatMode`] and [`expected_covariances`] are those of the random equation of Riccati.
 
 mod adaptive;
 mod ahead;
@@ -34,6 +34,7 @@ mod moments;
 mod observed;
 mod parallel_sum;
 mod pseudo_inverse;
+mod random_riccati;
 mod recursion;
 mod short;
 mod stein;
@@ -53,4 +54,5 @@ pub use form::{Form, filter, predict_ahead};
 pub use matrix_error::FloatMatrixError;
 pub use mixture::{MixtureError, MixtureEstimate, MixturePart, estimate_mixture};
 pub use parallel_sum::parallel_sum;
+pub use random_riccati::{FloatMode, expected_covariances, gramian};
 pub use stein::stein_solution;

@@ -8,9 +8,9 @@ use crate::scalar::Scalar;
 impl<S: Scalar> Matrix<S> {
     /// The matrix that takes all monomials of degree n in x to those in A x: the symmetric power of A.
     ///
-    /// `(A x)^[n] = A^[n] x^[n]`, where x^[n] lists the monomials `x₁^α₁ ⋯ x_d^α_d`, Σα = n, from `x₁ⁿ` down to `x_dⁿ` in lexical
+    /// `(A x)^[n] = A^[n] x^[n]`, where `x^[n]` lists the monomials `x₁^α₁ ⋯ x_d^α_d`, Σα = n, from `x₁ⁿ` down to `x_dⁿ` in lexical
     /// order. So `(AB)^[n] = A^[n] B^[n]`, the symmetric power of a column is the list of its monomials, and that of a row holds the
-    /// coefficients of a power of its linear form. The eigenvalues of A^[n] are the products of n eigenvalues of A.
+    /// coefficients of a power of its linear form. The eigenvalues of `A^[n]` are the products of n eigenvalues of A.
     ///
     /// Shapes: A d×e; the power has C(d+n−1, n) rows and C(e+n−1, n) columns.
     ///

@@ -5,7 +5,7 @@ use crate::matrix::Matrix;
 use crate::scalar::Rational;
 
 /// The order of the largest linear system or characteristic polynomial that is begun.
-const LARGEST_OPERATOR: usize = 64;
+const LARGEST_OPERATOR: usize = 40;
 
 /// What is known of `sup_k E‖P(k)‖ˢ`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ impl ModeProcess<Rational> {
     /// Here r = s. For modes that each observe everything (rank H = d) or nothing (H = 0), with Q > 0, this is exact and decided but for
     /// one case ([`ModeProcess::moment_growth`]): for one state, f and loss of probability a at each time, exactly a f²ˢ < 1 is bounded.
     /// With n modes of d states, the work is that of solving linear systems and finding characteristic polynomials of order
-    /// n·C(d(d+1)/2 + s, s), at most 64, and of up to 2ⁿ smaller ones (n ≤ 8).
+    /// n·C(d(d+1)/2 + s, s), at most 40, and of up to 2ⁿ smaller ones (n ≤ 8).
     ///
     /// # Panics
     ///

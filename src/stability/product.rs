@@ -33,10 +33,10 @@ impl<S: OrderedField> ModeProcess<S> {
     ///
     /// WG-51: `‖∏[j=i+1..k] A(j)‖_r ≤ M λ^(k−i) for all k ≥ i ≥ 0`
     ///
-    /// Here r = 2s, and M and λ are the r-th powers of those. There is such a constant for each λ > ρ(L) and for no λ < ρ(L), with the
-    /// operator L of [`ModeProcess::moment_operator`] of degree 2s. For λ > ρ(L) put X = (λI − L)⁻¹v: Lⁿv ≤ λⁿ⁺¹X in the order
-    /// of the cone of moments, which L preserves; with v the moments of the unit vectors this gives
-    /// M, since `‖A‖²ˢ ≤ (∑ aᵢⱼ²)ˢ ≤ d^(2s−2) ∑ aᵢⱼ²ˢ`. Nothing if ρ(L) ≥ λ.
+    /// Here r = 2s, and M and λ are the r-th powers of those; stability in the sense of WG-D2.1 is that there is an M for some λ < 1.
+    /// There is one for each λ > ρ(L) and for no λ < ρ(L), with the operator L of [`ModeProcess::moment_operator`] of degree 2s.
+    /// For λ > ρ(L) put X = (λI − L)⁻¹v: Lⁿv ≤ λⁿ⁺¹X in the order of the cone of moments, which L preserves. With v the moments of
+    /// the unit vectors this gives M, since `‖A‖²ˢ ≤ (∑ aᵢⱼ²)ˢ ≤ d^(2s−2) ∑ aᵢⱼ²ˢ`. Nothing if ρ(L) ≥ λ.
     ///
     /// Shapes: as for [`ModeProcess::moment_operator`], with a matrix for each reachable mode.
     ///

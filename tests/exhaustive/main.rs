@@ -12,4 +12,5 @@ mod modes;
 mod parallel_sum;
 mod pseudo_inverse;
 mod spectral_radius;
+mod symmetric_power;
 mod worlds;

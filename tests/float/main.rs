@@ -7,6 +7,7 @@ mod digits;
 mod extended;
 mod identification;
 mod mixture;
+mod random_riccati;
 mod steady;
 mod systems;
 mod truth;

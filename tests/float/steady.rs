@@ -11,15 +11,15 @@ use num_traits::ToPrimitive;
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-type Q = Matrix<Rational>;
+pub(crate) type Q = Matrix<Rational>;
 
 const PERTURBATIONS: u64 = 20;
-const ALLOWED: f64 = 2.0;
+pub(crate) const ALLOWED: f64 = 2.0;
 /// What stands for exact.
 const ALL: f64 = 17.0;
 
 /// −log₁₀ of the greatest error, in units of the standard deviations that the exact covariance has: √(xᵢᵢxⱼⱼ).
-fn digits(found: &Q, exact: &Q) -> f64 {
+pub(crate) fn digits(found: &Q, exact: &Q) -> f64 {
     let places = (0..exact.rows()).flat_map(|i| (0..exact.columns()).map(move |j| (i, j)));
     let of = |(i, j): (usize, usize)| {
         let error = (&found[(i, j)] - &exact[(i, j)]).to_f64().unwrap_or(f64::NAN).abs();
@@ -29,18 +29,18 @@ fn digits(found: &Q, exact: &Q) -> f64 {
     places.map(of).fold(ALL, f64::min)
 }
 
-fn rational(matrix: &Matrix<f64>) -> Q {
+pub(crate) fn rational(matrix: &Matrix<f64>) -> Q {
     matrix.try_map(|&entry| Rational::from_float(entry).ok_or(())).expect("finite results")
 }
 
-fn doubles(matrix: &Q) -> Matrix<f64> {
+pub(crate) fn doubles(matrix: &Q) -> Matrix<f64> {
     let double =
         |entry: &Rational| entry.to_f64().filter(|double| Rational::from_float(*double).as_ref() == Some(entry));
     matrix.try_map(|entry| double(entry).ok_or(())).expect("dyadic data")
 }
 
 /// A seeded stream of signs: the top bits of Knuth's linear congruential generator.
-struct Signs(u64);
+pub(crate) struct Signs(u64);
 
 impl Signs {
     fn next(&mut self) -> bool {
@@ -48,31 +48,31 @@ impl Signs {
         self.0 >> 63 == 0
     }
 
-    fn moved(&mut self, matrix: &Q) -> Q {
+    pub(crate) fn moved(&mut self, matrix: &Q) -> Q {
         let unit = ratio(1, 1 << 53);
         matrix.map(|entry| if self.next() { entry * (ratio(1, 1) + &unit) } else { entry * (ratio(1, 1) - &unit) })
     }
 
     /// Symmetric entries alike.
-    fn moved_symmetric(&mut self, matrix: &Q) -> Q {
+    pub(crate) fn moved_symmetric(&mut self, matrix: &Q) -> Q {
         let moved = self.moved(matrix);
         Matrix::from_fn(matrix.rows(), matrix.rows(), |i, j| moved[(i.max(j), i.min(j))].clone())
     }
 }
 
 /// The digits of the worst of the nearby problems' answers.
-fn attainable(exact: &Q, mut nearby: impl FnMut(&mut Signs) -> Option<Q>) -> f64 {
+pub(crate) fn attainable(exact: &Q, mut nearby: impl FnMut(&mut Signs) -> Option<Q>) -> f64 {
     let worst = (0..PERTURBATIONS).filter_map(|seed| nearby(&mut Signs(seed))).map(|answer| digits(&answer, exact));
     worst.fold(16.0, f64::min)
 }
 
-fn matrices(rows: usize, columns: usize) -> impl Strategy<Value = Q> {
+pub(crate) fn matrices(rows: usize, columns: usize) -> impl Strategy<Value = Q> {
     vec(-8i64..=8, rows * columns)
         .prop_map(move |entries| Matrix::from_fn(rows, columns, |i, j| ratio(entries[i * columns + j], 4)))
 }
 
 /// Positive definite, with entries that are doubles; the floor is at times small.
-fn definite(n: usize) -> impl Strategy<Value = Q> {
+pub(crate) fn definite(n: usize) -> impl Strategy<Value = Q> {
     (matrices(n, n), 0u32..12)
         .prop_map(move |(root, floor)| &root * root.transpose() + Matrix::identity(n).scaled(&ratio(1, 1 << floor)))
 }

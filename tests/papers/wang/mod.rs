@@ -1,14 +1,21 @@
 //! Wang, Guo 1999: the claims on random Riccati equations, and what the paper prints beside what is right.
 
 mod adapted;
+mod bounded_moments;
 mod closed_loop;
+mod constants;
+mod critical;
+mod decay;
 mod draws;
 mod earlier_conditions;
 mod equation;
+mod error_recursion;
+mod exponential;
 mod gramian;
 mod lossy_link;
 mod means;
 mod misspecified;
+mod moment_conditions;
 mod moments;
 mod observability;
 mod observer;
@@ -18,6 +25,7 @@ mod powers;
 mod sources;
 mod transition;
 mod uniform_bound;
+mod window;
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
