@@ -12,8 +12,8 @@ use crate::scalar::{Dyadic, Interval, Rational, ratio};
 pub(super) fn proved(averages: &mut Averages<'_>, number: &Average, numbers: Numbers) -> Result<String, String> {
     let mark = if numbers.exact { "…" } else { "" };
     // Two decimals of so many digits are farther apart than the ends.
-    let mut bits = u64::from(numbers.digits) * 4 + 16;
-    for _ in 0..3 {
+    let enough = u64::from(numbers.digits) * 4 + 16;
+    for bits in [enough, 2 * enough, 4 * enough] {
         let interval = match averages.enclosed(number, bits) {
             Ok(Enclosed::Exact(value)) => return Ok(numbers.text(&value)),
             Ok(Enclosed::Between(interval)) => interval,
@@ -32,10 +32,9 @@ pub(super) fn proved(averages: &mut Averages<'_>, number: &Average, numbers: Num
                 Err(_) => Err(format!("from {lower} to {upper}, too close to the middle of both to be rounded")),
             };
         }
-        // Too long to be compared; more digits it must be.
-        bits *= 2;
+        // A tie of this size is too long to be compared with; more bits it must be.
     }
-    Err(format!("not rounded with {bits} bits"))
+    Err(format!("it is too close to a tie to be rounded with {} bits", 4 * enough))
 }
 
 /// A number that is not too small or too large to be written out.

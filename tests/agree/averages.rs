@@ -41,6 +41,21 @@ fn independent_coordinates_have_covariance_zero() {
     assert!(found.lower().value().expect("short") > below && found.upper().value().expect("short") < below + digit);
 }
 
+/// Binomial weights 1, 2e^−1, e^−2 at 0, 1, 2, with the variances 1, 0, 1 there: the irrational 2p(1 − p) is the variance of the points and
+/// the probability of the one in the middle, so that the sum of both is 1. The pairs (0, 2) and (1, 1) cancel each other.
+#[test]
+fn pairs_of_one_exponent_are_taken_together() {
+    let at = |place: i64| [ratio(place, 1)];
+    let mut binomial = posterior(&[([1, 1, 0], at(0)), ([2, 1, -1], at(1)), ([1, 1, -2], at(2))]);
+    for place in [0, 2] {
+        let mean = binomial.components[place].state.mean().clone();
+        binomial.components[place].state = Gaussian::new(mean, Matrix::identity(1)).expect("a law");
+    }
+    assert_eq!(binomial.covariance(60).expect("exact")[(0, 0)], Enclosed::Exact(ratio(1, 1)));
+    binomial.components[1].evidence.weight = ratio(3, 1);
+    assert!(matches!(binomial.covariance(60).expect("narrow")[(0, 0)], Enclosed::Between(_)));
+}
+
 /// A fifth point far off, of size exp(−10⁶): now the covariance is p₅(1 − p₅)(10 − x̄)(10 − ȳ), where (x̄, ȳ) is the mean of the others and
 /// p₅ is exp(−10⁶)/(1 + 1/e)/(1 + 1/e²) but for 10⁻⁴³⁴²⁹⁴ of it. All else cancels exactly.
 #[test]
@@ -70,6 +85,9 @@ fn determinants_are_told_apart_by_squares() {
     let weights = |d| posterior(&[([1, 1, 0], [ratio(0, 1)]), ([1, d, 0], [ratio(1, 1)])]).weights(60);
     assert_eq!(weights(4), Ok(vec![Enclosed::Exact(ratio(2, 3)), Enclosed::Exact(ratio(1, 3))]));
     assert!(matches!(weights(2).as_deref(), Ok([Enclosed::Between(_), Enclosed::Between(_)])));
+    // 48473881 is no square, but one modulo each odd prime up to 59, so that only its root tells.
+    assert!(6962_i64.pow(2) < 48_473_881 && 48_473_881 < 6963_i64.pow(2));
+    assert!(matches!(weights(48_473_881).as_deref(), Ok([Enclosed::Between(_), Enclosed::Between(_)])));
     // √½ and √(1/8) are of one class, so their variance is a fraction: shares 2/3 and 1/3.
     let alike = posterior(&[([1, 2, 0], [ratio(0, 1)]), ([1, 8, 0], [ratio(1, 1)])]);
     assert_eq!(alike.covariance(60).expect("exact")[(0, 0)], Enclosed::Exact(ratio(2, 9)));
