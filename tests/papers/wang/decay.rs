@@ -5,7 +5,7 @@ use exact_kalman::scalar::{Rational, ratio};
 use exact_kalman::stability::{Contraction, DecayVerdict, Drift, ModeProcess};
 use num_traits::{One, Zero};
 
-use super::moments::kronecker_operator;
+use super::bounded_moments::kronecker_operator;
 use super::{Q, integer_mode};
 use crate::dice::Dice;
 
