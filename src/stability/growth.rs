@@ -33,9 +33,10 @@ pub struct MomentGrowth {
 impl ModeProcess<Rational> {
     /// Proof that the moment of order s of P(k) grows without bound, if there is one of this kind.
     ///
-    /// All sets of modes that communicate are tried if there are at most eight reachable modes; else the set of all modes with H = 0.
-    /// Exact and complete for one state where every Q > 0, but for one case: modes that are left
-    /// for good with a spectral radius of one, or above it by less than 2⁻³⁰. With n modes and v unobserved directions: characteristic polynomials of order n·C(v+2s−1, 2s), for at most 2ⁿ sets.
+    /// All sets of modes that communicate are tried if there are at most eight reachable modes with Q > 0; else the classes of those
+    /// with H = 0. Exact and complete for one state where every Q > 0, but for one case: modes that are left for good with a spectral
+    /// radius of one, or above it by less than 2⁻³⁰. With n modes and v unobserved directions: characteristic polynomials of order
+    /// n·C(v+2s−1, 2s), for at most 2ⁿ sets.
     ///
     /// # Examples
     ///
