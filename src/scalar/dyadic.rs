@@ -179,7 +179,9 @@ fn bounded(mantissa: BigInt, exponent: i128, bits: u64, toward: Toward) -> Dyadi
     } else {
         // Shifts of integers round below, of negative ones too.
         let below = &mantissa >> excess;
-        (if toward == Toward::Above { below + 1 } else { below }, exponent + i128::from(excess))
+        let is_exact = mantissa.trailing_zeros().is_some_and(|zeros| zeros >= excess);
+        let mantissa = if toward == Toward::Above && !is_exact { below + 1 } else { below };
+        (mantissa, exponent + i128::from(excess))
     };
     let Some(even) = mantissa.trailing_zeros() else { return Dyadic::zero() };
     let (mantissa, exponent) = (mantissa >> even, exponent + i128::from(even));
