@@ -130,7 +130,6 @@ fn observability_is_decided_as_by_all_determinants() -> Result<(), Box<dyn std::
     })?;
     for (window, count) in counts {
         let [_, one, two, three, more, never] = count.get();
-        println!("{window:?}: {:?}", count.get());
         assert!(one > 50 && two > 20 && three + more >= 5 && never > 50, "{window:?}: {:?}", count.get());
     }
     Ok(())
