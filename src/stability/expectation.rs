@@ -26,7 +26,9 @@ pub struct CovarianceState<S> {
 ///
 /// Cost: one step costs (number of states)·(modes that can follow) steps of WG-1 and the sorting of the results. The number of
 /// states is at most multiplied by the number of modes at each step, and the digits of a state grow with every step; a
-/// limit on the number of states is part of the question.
+/// limit on the number of states is part of the question. Example 1.1 never merges: 4096 states after 12 steps, in 0.2 s
+/// altogether. The sums cost more than the law in the end, as they hold the denominators of all states: E P(12) has 10⁵ bits and
+/// takes 0.1 s, E P(15) has 10⁶ and takes 7 s.
 ///
 /// # Examples
 ///

@@ -79,7 +79,6 @@ fn smallest_windows_of_pairs_of_modes() {
             }
         }
     }
-    println!("{counts:?}");
     assert!(
         counts.iter().all(|count| count.iter().sum::<usize>() == 4096 && count[2] > 0 && count[0] > 0),
         "{counts:?}"

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, Scalar, ratio};
-use exact_kalman::stability::{MarginError, Start, UnobservableLoop, UnobservablePath, Window};
+use exact_kalman::stability::{MarginError, Mode, Start, UnobservableLoop, UnobservablePath, Window};
 use proptest::test_runner::{Config, TestCaseError, TestRunner};
 
 use super::super::systems::Q;
@@ -130,10 +130,33 @@ fn observability_is_decided_as_by_all_determinants() -> Result<(), Box<dyn std::
     })?;
     for (window, count) in counts {
         let [_, one, two, three, more, never] = count.get();
-        println!("{window:?}: {:?}", count.get());
         assert!(one > 50 && two > 20 && three + more >= 5 && never > 50, "{window:?}: {:?}", count.get());
     }
     Ok(())
+}
+
+/// WG-A1: a mode may leave one of several directions unseen, according to what follows, and each of them matters to one of the
+/// modes before it.
+#[test]
+fn each_direction_that_may_be_unseen_is_kept() {
+    let read = |h: [i64; 2]| {
+        let noise = Matrix::identity(2);
+        Mode::new(noise.clone(), Matrix::from_integers(&[h]), noise, Matrix::identity(1)).expect("covariances")
+    };
+    // Nothing, then the second entry or the first; before it the first or the second.
+    let modes = [[0, 0], [0, 1], [1, 0], [1, 0], [0, 1]].map(read).to_vec();
+    let follows: [&[usize]; 5] = [&[1, 2], &[3, 4], &[3, 4], &[0], &[0]];
+    let share = |i: usize| ratio(1, i64::try_from(follows[i].len()).expect("small"));
+    let chain = Matrix::from_fn(5, 5, |i, j| if follows[i].contains(&j) { share(i) } else { ratio(0, 1) });
+    let process = Process::markov(modes, vec![ratio(1, 5); 5], chain).expect("law");
+    let verdict = process.observability(Window::Shifted, 3, 1000).expect("few subspaces");
+    let paths: Vec<&[usize]> = verdict.failures.iter().map(|path| path.modes.as_slice()).collect();
+    assert!(paths.contains(&[3, 0, 2].as_slice()) && paths.contains(&[4, 0, 1].as_slice()), "{paths:?}");
+    for (length, starts) in [(1, 5), (2, 5), (3, 5)] {
+        let found = process.observability(Window::Shifted, length, 1000).expect("few subspaces");
+        assert_eq!(failing(&process, Window::Shifted, length).len(), starts);
+        assert_eq!(found.failures.len(), starts);
+    }
 }
 
 /// WG-A1: δ is below every eigenvalue of every Gramian, and is half the smallest 1/tr G⁻¹ of all windows.
