@@ -1,10 +1,11 @@
 //! The price of linearity as `estimate` prints it.
 
 use super::numbers::Numbers;
+use super::proved::written;
 use crate::nongaussian::{Enclosed, InitialLaw, PriceError, Statistics};
 use crate::protocol::Decimal;
 use crate::reproduce::simulated_price;
-use crate::scalar::{Dyadic, Interval, Rational, ratio};
+use crate::scalar::{Dyadic, Interval, Rational};
 
 /// No more digits of it are computed.
 const MOST_DIGITS: u32 = 50;
@@ -37,14 +38,14 @@ impl Price {
             // Two more bits than needed for one unit of the last digit; again, if rounding has to be decided.
             let bits = [4, 8].map(|per_digit| u64::from(digits) * per_digit + 6);
             let mut found = now.price_of_linearity(law, bits[0]);
-            if matches!(&found, Ok(Enclosed::Between(interval)) if proved(interval, digits).is_none()) {
+            if matches!(&found, Ok(Enclosed::Between(interval)) if Decimal::of_interval(interval, digits).is_none()) {
                 found = now.price_of_linearity(law, bits[1]);
             }
             let mark = if numbers.exact { "…" } else { "" };
             match found {
                 Ok(Enclosed::Exact(value)) => numbers.text(&value),
                 Ok(Enclosed::Between(interval)) | Err(PriceError::TooWide { found: interval, .. }) => {
-                    proved(&interval, digits)
+                    Decimal::of_interval(&interval, digits)
                         .map_or_else(|| ends(&interval, digits), |digits| format!("{digits}{mark}"))
                 }
                 Err(error @ PriceError::Dimension { .. }) => {
@@ -55,30 +56,14 @@ impl Price {
     }
 }
 
-/// An end that is not too long to be written out.
-fn short(end: &Dyadic) -> Option<Rational> {
-    const MOST: i64 = 1 << 16;
-    end.magnitude().is_none_or(|size| size.abs() <= MOST).then(|| end.value())?
-}
-
-/// The digits, if both ends round alike.
-fn proved(interval: &Interval, digits: u32) -> Option<Decimal> {
-    let [lower, upper] =
-        [interval.lower(), interval.upper()].map(|end| short(end).map(|end| Decimal::rounded(&end, digits)));
-    (lower == upper).then_some(lower)?
-}
-
 /// Between which numbers it is, rounded outwards: with three digits more than are proved.
 fn ends(interval: &Interval, digits: u32) -> String {
-    let (Some(lower), Some(upper)) = (short(interval.lower()), short(interval.upper())) else {
+    let end = |end: &Dyadic| if end.is_zero() { Some(Rational::default()) } else { written(end) };
+    let (Some(lower), Some(upper)) = (end(interval.lower()), end(interval.upper())) else {
         // It is never negative.
         return format!("<2^{}", interval.upper().magnitude().unwrap_or_default());
     };
-    let known = (1..digits).rev().find(|&digits| proved(interval, digits).is_some()).unwrap_or(0);
-    let digits = known + 3;
-    // Rounding moves a number by at most half a unit of its last digit, which is less than this part of it.
-    let part = ratio(10, 1) / Rational::from(num_bigint::BigInt::from(10).pow(digits));
-    let outwards =
-        |end: &Rational, sign: i64| Decimal::rounded(&(end * (ratio(1, 1) + &part * ratio(sign, 1))), digits);
-    format!("from {} to {}", outwards(&lower, -1), outwards(&upper, 1))
+    let known = (1..digits).rev().find(|&digits| Decimal::of_interval(interval, digits).is_some()).unwrap_or(0);
+    let numbers = Numbers { digits: known + 3, exact: false };
+    format!("from {} to {}", numbers.below(&lower), numbers.above(&upper))
 }

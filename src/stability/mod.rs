@@ -14,55 +14,30 @@
 //! Paper: Wang, Guo 1999. Its index k is ours; where its window of observations is i = k+1, …, k+h, ours is
 //! i = k, …, k+h−1 (SPEC.md says why).
 
-mod bound;
-mod bracket;
 mod classes;
-mod closed_loop;
-mod decay;
-mod drift;
 mod equation;
 mod expectation;
-mod gain;
-mod gain_search;
-mod gramian;
-mod growth;
-mod intermittent;
-mod largest_moment;
-mod margin;
-mod misspecified;
 mod mode;
-mod moment_bound;
 mod moments;
 mod observability;
-mod observer;
+mod path;
 mod process;
-mod product;
-mod search;
-mod subspace;
-mod transition_matrix;
-mod unobservable;
+mod rates;
 mod window;
 
-pub use bound::{BoundError, UniformBound, WindowBound};
-pub use bracket::Bracket;
-pub use closed_loop::{ClosedLoopBound, ClosedLoopError, Factor, riccati_path};
-pub use decay::{Decay, DecayVerdict, OutsideUnitInterval};
-pub use drift::{Contraction, Drift};
 pub use equation::RiccatiStep;
 pub use expectation::{CovarianceLaw, CovarianceState, StartError, TooManyStates};
-pub use gain::{GainBounds, GainError};
-pub use gramian::{Unseen, excites, gramian};
-pub use growth::MomentGrowth;
-pub use intermittent::CriticalArrival;
-pub use largest_moment::LargestMoment;
-pub use margin::MarginError;
-pub use misspecified::{ErrorCovariances, Misspecified, OtherSystem, error_covariances};
 pub use mode::{Mode, ModeError, Part};
-pub use moment_bound::MomentBound;
-pub use moments::{MomentDoubt, MomentVerdict};
-pub use observability::{Observability, SmallestWindow, Start, TooManySubspaces};
-pub use observer::{ErrorMap, Observer, ObserverError};
+pub use moments::{CriticalArrival, LargestMoment, MomentBound, MomentDoubt, MomentGrowth, MomentVerdict};
+pub use observability::{
+    BoundError, MarginError, Observability, SmallestWindow, Start, TooManySubspaces, UniformBound, UnobservableLoop,
+    UnobservablePath, WindowBound,
+};
+pub use path::{
+    Bracket, ClosedLoopBound, ClosedLoopError, ErrorCovariances, ErrorMap, Factor, GainBounds, GainError, Misspecified,
+    Observer, ObserverError, OtherSystem, SingularTransition, Unseen, error_covariances, excites, gramian,
+    inverse_transition_matrix, riccati_path, transition_matrix,
+};
 pub use process::{ModeProcess, ProcessError};
-pub use transition_matrix::{SingularTransition, inverse_transition_matrix, transition_matrix};
-pub use unobservable::{UnobservableLoop, UnobservablePath};
+pub use rates::{Contraction, Decay, DecayVerdict, Drift, OutsideUnitInterval};
 pub use window::Window;

@@ -1,8 +1,8 @@
 //! Products of random matrices that depend on the mode: moments, and exponential bounds with their constants.
 
-use super::ModeProcess;
 use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
+use crate::stability::ModeProcess;
 
 impl<S: OrderedField> ModeProcess<S> {
     /// The operator that takes the moments of degree n of x(k), mode by mode, to those of x(k+1) = A(σ(k)) x(k).
@@ -21,7 +21,7 @@ impl<S: OrderedField> ModeProcess<S> {
     }
 
     /// Block (j, i) is `T(i, j) B(i)`, for one square B for each of the given modes.
-    pub(super) fn coupled(&self, modes: &[usize], blocks: &[Matrix<S>]) -> Matrix<S> {
+    pub(in crate::stability) fn coupled(&self, modes: &[usize], blocks: &[Matrix<S>]) -> Matrix<S> {
         let size = blocks.first().map_or(0, Matrix::rows);
         Matrix::from_fn(modes.len() * size, modes.len() * size, |row, column| {
             let (to, from) = (row / size, column / size);

@@ -1,8 +1,8 @@
 //! How large the gain of the filter can be.
 
-use super::Mode;
 use crate::matrix::{LdlError, Matrix};
 use crate::scalar::OrderedField;
+use crate::stability::Mode;
 
 /// Numbers c with ‖L‖² ≤ c‖P‖, L the gain at P; and the bound of FL.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,16 +75,12 @@ impl<S: OrderedField> Mode<S> {
         };
         let sensors = (0..m).fold(S::zero(), |sum, _| sum.plus(&over(1, floor)));
         Ok(GainBounds {
-            innovation: trace(&(&seen * &precision * &precision)),
-            precision: trace(&precision),
-            noise_precision: trace(&inverse(r)),
+            innovation: (&seen * &precision * &precision).trace(),
+            precision: precision.trace(),
+            noise_precision: inverse(r).trace(),
             floor: sensors,
             sharp: over(1, &floor.times(&S::from_integer(4))),
             transported: over(1, floor),
         })
     }
-}
-
-fn trace<S: OrderedField>(matrix: &Matrix<S>) -> S {
-    (0..matrix.rows()).fold(S::zero(), |sum, i| sum.plus(&matrix[(i, i)]))
 }

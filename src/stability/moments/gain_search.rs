@@ -1,8 +1,8 @@
 //! Gains, one for each mode, that may prove a moment bounded. Nothing here proves anything: what is found is checked elsewhere.
 
-use super::ModeProcess;
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Rational, Scalar, Toward, ratio};
+use crate::stability::ModeProcess;
 
 /// Steps of the iterations: their gains settle long before covariances do.
 const STEPS: usize = 48;

@@ -1,8 +1,18 @@
 //! Stochastic observability, decided.
 
-use super::search::Search;
-use super::{ModeProcess, UnobservableLoop, UnobservablePath, Window};
+mod bound;
+mod margin;
+mod search;
+mod subspace;
+mod unobservable;
+
+pub use bound::{BoundError, UniformBound, WindowBound};
+pub use margin::MarginError;
+pub use unobservable::{UnobservableLoop, UnobservablePath};
+
 use crate::scalar::OrderedField;
+use crate::stability::{ModeProcess, Window};
+use search::Search;
 
 /// Whether A1 holds with a given h.
 #[derive(Clone, Debug, PartialEq, Eq)]

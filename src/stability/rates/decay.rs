@@ -1,9 +1,9 @@
 //! Products of numbers in [0, 1] that depend on the mode: the class S⁰(λ), decided with certificates.
 
-use super::ModeProcess;
-use super::classes::classes;
 use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
+use crate::stability::ModeProcess;
+use crate::stability::classes::classes;
 
 /// Proof that `E ∏[j=i+1..k] (1 − a(j)) ≤ M λ^(k−i)` for all k ≥ i ≥ 0.
 ///

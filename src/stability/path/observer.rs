@@ -1,8 +1,8 @@
 //! Least squares on one window of observations where that is safe, mere prediction where it is not.
 
-use super::{Mode, Window, excites, gramian, transition_matrix};
 use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
+use crate::stability::{Mode, Window, excites, gramian, transition_matrix};
 
 /// The observer x* of the paper: its window, the length h of the window, and the threshold δ of the Gramian.
 ///

@@ -1,8 +1,8 @@
 //! A bound of P(k) that holds on every path, whatever P(0).
 
-use super::{Mode, ModeProcess, TooManySubspaces, UnobservablePath, Window};
 use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
+use crate::stability::{Mode, ModeProcess, TooManySubspaces, UnobservablePath, Window};
 
 /// What the last h modes alone allow to say: P(k) ≤ `covariance` for k ≥ h if the modes of k−h, …, k−1 are these, whatever
 /// came before.

@@ -1,8 +1,8 @@
 //! A filter that was given wrong noise covariances.
 
-use super::Mode;
 use crate::matrix::{Matrix, Shape};
 use crate::scalar::OrderedField;
+use crate::stability::Mode;
 
 /// One time of a filter that believes in other noise than there is; F and H are those of the system.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! Products of the closed loop F(I − LH) along a path, and what bounds them.
 
-use super::{Bracket, Mode, RiccatiStep};
 use crate::matrix::{Matrix, SolveError};
 use crate::scalar::OrderedField;
+use crate::stability::{Bracket, Mode, RiccatiStep};
 
 /// The steps of the equation along a path from P(0), one for each mode.
 ///

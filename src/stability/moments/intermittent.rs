@@ -1,8 +1,8 @@
 //! How often an observation must arrive for the mean of P(k) to stay bounded.
 
-use super::{Mode, ModeProcess, MomentBound, MomentGrowth};
 use crate::matrix::Matrix;
 use crate::scalar::{Rational, Scalar, ratio};
+use crate::stability::{Mode, ModeProcess, MomentBound, MomentGrowth};
 
 /// The probability of arrival above which the mean stays bounded: λ_c between two numbers with certificates.
 #[derive(Clone, Debug, PartialEq, Eq)]

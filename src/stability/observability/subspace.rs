@@ -1,8 +1,8 @@
 //! Subspaces in canonical form, so that equal ones are equal matrices.
 
-use super::Mode;
 use crate::matrix::{Echelon, Matrix};
 use crate::scalar::OrderedField;
+use crate::stability::Mode;
 
 /// A subspace of the d-dimensional space.
 #[derive(Clone, Debug, PartialEq, Eq)]

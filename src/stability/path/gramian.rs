@@ -1,8 +1,8 @@
 //! What one window of observations tells of the state at its start.
 
-use super::{Mode, Window};
 use crate::matrix::{LdlError, Matrix};
 use crate::scalar::OrderedField;
+use crate::stability::{Mode, Window};
 
 /// The Gramian G(k+h,k) of the observations of one window, k = `start`, h = `length`.
 ///

@@ -1,8 +1,8 @@
 //! A bound of a moment that holds at every time, proved by gains that need not be those of the filter.
 
-use super::ModeProcess;
 use crate::matrix::Matrix;
 use crate::scalar::{Rational, Scalar};
+use crate::stability::ModeProcess;
 
 /// Proof that `E‖P(k)‖ˢ ≤ E(tr P(k))ˢ ≤ bound` for all k ≥ 0.
 ///

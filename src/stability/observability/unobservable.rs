@@ -1,8 +1,8 @@
 //! Proofs that windows do not see a direction.
 
-use super::{ModeProcess, Window};
 use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
+use crate::stability::{ModeProcess, Window};
 
 /// A path of a window and a direction in which its Gramian vanishes: Gv = 0.
 #[derive(Clone, Debug, PartialEq, Eq)]

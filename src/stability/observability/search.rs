@@ -1,8 +1,8 @@
 //! The directions that paths of n modes do not see, for n = 0, 1, 2, …
 
 use super::subspace::Subspace;
-use super::{Mode, ModeProcess, Start, TooManySubspaces, UnobservableLoop, UnobservablePath, Window};
 use crate::scalar::OrderedField;
+use crate::stability::{Mode, ModeProcess, Start, TooManySubspaces, UnobservableLoop, UnobservablePath, Window};
 
 /// A largest subspace that some path of n modes does not see, and what follows its first mode: a mode and the place of the
 /// subspace there, one level below.

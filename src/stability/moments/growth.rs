@@ -1,8 +1,8 @@
 //! Moments that grow without bound, proved by what is never observed.
 
-use super::ModeProcess;
 use crate::matrix::Matrix;
 use crate::scalar::{Rational, Scalar, ratio};
+use crate::stability::ModeProcess;
 
 /// With more reachable modes only those that observe nothing at all are looked at, not every set of modes.
 const MOST_MODES_FOR_SUBSETS: usize = 8;

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use super::Mode;
 use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
+use crate::stability::Mode;
 
 /// A transition has no inverse, so that no state can be told from a later one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

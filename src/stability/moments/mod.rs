@@ -1,8 +1,19 @@
 //! Whether a moment of P(k) stays bounded: yes with a proof, no with a proof, or undecided.
 
-use super::{ModeProcess, MomentBound, MomentGrowth};
+mod bound;
+mod gain_search;
+mod growth;
+mod intermittent;
+mod largest;
+
+pub use bound::MomentBound;
+pub use growth::MomentGrowth;
+pub use intermittent::CriticalArrival;
+pub use largest::LargestMoment;
+
 use crate::matrix::Matrix;
 use crate::scalar::Rational;
+use crate::stability::ModeProcess;
 
 /// The order of the largest linear system or characteristic polynomial that is begun.
 const LARGEST_OPERATOR: usize = 40;

@@ -1,8 +1,8 @@
 //! How far the Gramians of all windows are from singular.
 
-use super::{ModeProcess, TooManySubspaces, UnobservablePath, Window};
 use crate::matrix::Matrix;
 use crate::scalar::OrderedField;
+use crate::stability::{ModeProcess, TooManySubspaces, UnobservablePath, Window};
 
 /// Why there is no δ.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
