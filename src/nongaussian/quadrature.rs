@@ -113,7 +113,7 @@ impl Plan {
                     let shift = bump.covariance.select_columns(&[axis]).scaled(&(&away / variance));
                     let value = &bump.slope * (&bump.mean + shift) + &bump.offset;
                     let square = value.transpose().congruence(&Matrix::identity(value.rows()))[(0, 0)].clone()
-                        + trace(&bump.slope.congruence(&bump.covariance));
+                        + bump.slope.congruence(&bump.covariance).trace();
                     total = total.plus(&size.times(&Interval::of(&(square * &bump.weight), COARSE), COARSE), COARSE);
                 }
             }
@@ -213,10 +213,6 @@ fn largest(bump: &Bump, axes: &[Axis], place: usize, width: &Rational) -> Ration
         &real * &real + &imaginary * &imaginary
     };
     (0..value.rows()).map(of_row).fold(ratio(0, 1), |sum, part| sum + part)
-}
-
-fn trace(matrix: &Matrix<Rational>) -> Rational {
-    (0..matrix.rows()).fold(ratio(0, 1), |sum, i| sum + &matrix[(i, i)])
 }
 
 /// A fraction a little above the root of a positive one.

@@ -50,9 +50,7 @@ impl ModeProcess<Rational> {
             let images: Vec<_> =
                 self.modes().iter().zip(&covariances).map(|(mode, covariance)| mode.step(covariance).next).collect();
             let sums = self.arriving(&images, |sum, term| sum + term, Matrix::scaled);
-            let trace =
-                |sum: &Matrix<Rational>| (0..sum.rows()).fold(Rational::zero(), |total, i| total.plus(&sum[(i, i)]));
-            let total = sums.iter().map(trace).fold(Rational::zero(), |total, part| total.plus(&part));
+            let total = sums.iter().fold(Rational::zero(), |total, sum| total.plus(&sum.trace()));
             let Ok(factor) = size.over(&total) else { break };
             covariances = sums.iter().map(|sum| rounded(&sum.scaled(&factor))).collect();
         }

@@ -14,25 +14,7 @@ use exact_kalman::nongaussian::{Statistics, statistics};
 use exact_kalman::scalar::{Rational, ratio};
 
 use super::Q;
-
-/// Small fractions by a linear congruence.
-pub struct Dice(pub u64);
-
-impl Dice {
-    pub fn below(&mut self, count: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) % count
-    }
-
-    fn entry(&mut self) -> Rational {
-        let numerator = i64::try_from(self.below(7)).unwrap() - 3;
-        ratio(numerator, if self.below(4) == 0 { 2 } else { 1 })
-    }
-
-    pub fn matrix(&mut self, rows: usize, columns: usize) -> Q {
-        Matrix::from_fn(rows, columns, |_, _| self.entry())
-    }
-}
+pub use crate::dice::Dice;
 
 /// A(t), H(t), and C with Γ(t+1) = CCᵀ by its rows for the plant and for the sensors.
 pub struct At {
