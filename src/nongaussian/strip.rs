@@ -5,6 +5,10 @@
 //! components. If the phases of all others differ by at most 3/2 < π/2, then beside that of the largest density no
 //! other takes anything away, and `|Σ pᵢ| ≥ ¾ max |pᵢ| ≥ ¾/k Σ |pᵢ|`.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::collections::binary_heap::PeekMut;
+
 use num_bigint::BigInt;
 use num_traits::Signed;
 
@@ -14,64 +18,115 @@ use crate::scalar::{Interval, Rational, ratio};
 
 /// For each axis an α such that for |y| ≤ α, everywhere in the box, `|Σ pᵢ| ≥ ¾/k Σ |pᵢ|` at x + iy, and α²κ ≤ 4 for each κ.
 pub(super) fn half_widths(bumps: &[Bump], bounds: &Bounds) -> Option<Vec<Rational>> {
-    let (cells, halves) = Cells::of(bounds);
     let middle = Matrix::column(bounds.iter().map(|(first, last)| (first + last) * ratio(1, 2)).collect());
-    let pairs: Vec<Quotient> = (0..bumps.len())
-        .flat_map(|i| (0..i).map(move |j| (i, j)))
-        .map(|(i, j)| Quotient::new(bumps, i, j, &middle, &halves))
-        .collect::<Option<_>>()?;
-    let threshold = threshold(bumps.len());
-    let mut steepest = vec![ratio(0, 1); bounds.len()];
-    for cell in cells {
-        let found: Vec<Range> = pairs.iter().map(|pair| pair.over(&cell)).collect::<Option<_>>()?;
-        let mut matters = vec![true; bumps.len()];
-        for (pair, range) in pairs.iter().zip(&found) {
-            matters[pair.one] &= range.most > -&threshold;
-            matters[pair.other] &= range.least < threshold;
-        }
-        for (pair, range) in pairs.iter().zip(&found).filter(|(pair, _)| matters[pair.one] && matters[pair.other]) {
-            debug_assert!(pair.one > pair.other, "each pair once");
-            for (most, slope) in steepest.iter_mut().zip(&range.slopes) {
-                if slope > most {
-                    *most = slope.clone();
-                }
-            }
+    let quotients = Quotients {
+        pairs: (0..bumps.len())
+            .flat_map(|i| (0..i).map(move |j| (i, j)))
+            .map(|(i, j)| Quotient::new(bumps, i, j, &middle))
+            .collect::<Option<_>>()?,
+        count: bumps.len(),
+        threshold: threshold(bumps.len()),
+    };
+    let limit =
+        |axis: usize| Some(ratio(2, 1) / root_above(bumps.iter().map(|bump| &bump.inverse[(axis, axis)]).max()?));
+    let limits: Vec<Rational> = (0..bounds.len()).map(limit).collect::<Option<_>>()?;
+    let whole = Cell {
+        centre: vec![ratio(0, 1); bounds.len()],
+        halves: bounds.iter().map(|(first, last)| (last - first) * ratio(1, 2)).collect(),
+    };
+    // The steeper a cell, the sooner it is cut: only where components of one size meet do cells have to be small.
+    let mut cells = BinaryHeap::from([quotients.steepness(whole, &limits)?]);
+    for _ in 0..if bounds.len() == 1 { MOST_CUTS } else { 4 * MOST_CUTS } {
+        let Some(steepest) = cells.peek_mut().filter(|steepest| steepest.worst > ratio(3, 2)) else { break };
+        for half in PeekMut::pop(steepest).cell.halved(&limits) {
+            cells.push(quotients.steepness(half, &limits)?);
         }
     }
-    let widths = steepest.iter().enumerate().map(|(axis, slope)| {
-        let narrowest = bumps.iter().map(|bump| &bump.inverse[(axis, axis)]).max()?;
-        let limit = ratio(2, 1) / root_above(narrowest);
+    let widths = limits.into_iter().enumerate().map(|(axis, limit)| {
+        let slope = cells.iter().map(|cell| &cell.slopes[axis]).max()?;
         Some(if (slope * &limit) > ratio(3, 2) { ratio(3, 2) / slope } else { limit })
     });
     widths.collect()
+}
+
+/// How often a line is cut; a plane, four times as often.
+const MOST_CUTS: usize = 128;
+
+/// A part of the box, by the offset of its centre from that of the box.
+struct Cell {
+    centre: Vec<Rational>,
+    halves: Vec<Rational>,
+}
+
+impl Cell {
+    /// Cut across the axis on which it is longest.
+    fn halved(&self, units: &[Rational]) -> [Self; 2] {
+        let longest = (0..units.len()).max_by_key(|&axis| &self.halves[axis] / &units[axis]).unwrap_or_default();
+        [-1, 1].map(|side| {
+            let (mut centre, mut halves) = (self.centre.clone(), self.halves.clone());
+            halves[longest] = &halves[longest] * ratio(1, 2);
+            centre[longest] = &centre[longest] + &halves[longest] * ratio(side, 1);
+            Self { centre, halves }
+        })
+    }
+}
+
+/// A cell with bounds of the slopes of r in it, for the components that matter there; cells are ordered by the worst of
+/// these times the limits of the axes.
+struct Steepness {
+    cell: Cell,
+    slopes: Vec<Rational>,
+    worst: Rational,
+}
+
+impl PartialEq for Steepness {
+    fn eq(&self, other: &Self) -> bool {
+        self.worst == other.worst
+    }
+}
+
+impl Eq for Steepness {}
+
+impl PartialOrd for Steepness {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Steepness {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.worst.cmp(&other.worst)
+    }
+}
+
+/// The quotients of all pairs of components.
+struct Quotients {
+    pairs: Vec<Quotient>,
+    count: usize,
+    threshold: Rational,
+}
+
+impl Quotients {
+    fn steepness(&self, cell: Cell, limits: &[Rational]) -> Option<Steepness> {
+        let found: Vec<Range> = self.pairs.iter().map(|pair| pair.over(&cell)).collect::<Option<_>>()?;
+        let mut matters = vec![true; self.count];
+        for (pair, range) in self.pairs.iter().zip(&found) {
+            matters[pair.one] &= range.most > -&self.threshold;
+            matters[pair.other] &= range.least < self.threshold;
+        }
+        let both = self.pairs.iter().zip(found).filter(|(pair, _)| matters[pair.one] && matters[pair.other]);
+        let slopes = both.fold(vec![ratio(0, 1); limits.len()], |steepest, (_, range)| {
+            steepest.into_iter().zip(range.slopes).map(|(one, other)| one.max(other)).collect()
+        });
+        let worst = slopes.iter().zip(limits).map(|(slope, limit)| slope * limit).max()?;
+        Some(Steepness { cell, slopes, worst })
+    }
 }
 
 /// Above log(4k) + 2: beside the real axis, the quotient of two densities grows by e² at most.
 fn threshold(count: usize) -> Rational {
     // ln 2 < 0.7
     Rational::from(BigInt::from(usize::BITS - (4 * count).leading_zeros())) * ratio(7, 10) + ratio(2, 1)
-}
-
-/// The cells of a box, by the offsets of their centres from its centre.
-struct Cells;
-
-impl Cells {
-    fn of(bounds: &Bounds) -> (Vec<Vec<Rational>>, Vec<Rational>) {
-        let count = if bounds.len() == 1 { 128 } else { 24 };
-        let halves: Vec<Rational> = bounds.iter().map(|(first, last)| (last - first) * ratio(1, 2 * count)).collect();
-        let along = |half: &Rational| (0..count).map(|i| half * ratio(2 * i + 1 - count, 1)).collect::<Vec<_>>();
-        let cells = halves.iter().map(along).fold(vec![Vec::new()], |cells, offsets| {
-            let longer = |cell: &Vec<Rational>| {
-                let cell = cell.clone();
-                offsets
-                    .iter()
-                    .map(move |offset| cell.iter().cloned().chain([offset.clone()]).collect())
-                    .collect::<Vec<_>>()
-            };
-            cells.iter().flat_map(longer).collect()
-        });
-        (cells, halves)
-    }
 }
 
 /// What r and its derivatives are in a cell.
@@ -89,13 +144,10 @@ struct Quotient {
     level: Interval,
     slope: Vec<Interval>,
     bend: Matrix<Interval>,
-    /// Bounds of the sizes of the entries of K times half a cell, summed by rows.
-    spread: Vec<Interval>,
-    halves: Vec<Interval>,
 }
 
 impl Quotient {
-    fn new(bumps: &[Bump], one: usize, other: usize, middle: &Matrix<Rational>, halves: &[Rational]) -> Option<Self> {
+    fn new(bumps: &[Bump], one: usize, other: usize, middle: &Matrix<Rational>) -> Option<Self> {
         let (a, b) = (bumps.get(one)?, bumps.get(other)?);
         let (from_a, from_b) = (middle - &a.mean, middle - &b.mean);
         let form = |bump: &Bump, away: &Matrix<Rational>| away.transpose().congruence(&bump.inverse)[(0, 0)].clone();
@@ -105,23 +157,18 @@ impl Quotient {
         let slope = &b.inverse * from_b - &a.inverse * from_a;
         let bend = &a.inverse - &b.inverse;
         let coarse = |x: &Rational| Interval::of(x, COARSE);
-        let spread = (0..halves.len()).map(|row| {
-            halves.iter().enumerate().fold(ratio(0, 1), |sum, (column, half)| sum + bend[(row, column)].abs() * half)
-        });
         Some(Self {
             one,
             other,
             level: coarse(&level).plus(&twice.times(&coarse(&ratio(1, 2)), COARSE), COARSE),
             slope: slope.entries().iter().map(coarse).collect(),
-            spread: spread.map(|sum| coarse(&sum)).collect(),
             bend: bend.map(coarse),
-            halves: halves.iter().map(coarse).collect(),
         })
     }
 
     /// By the values at the centre of the cell and bounds of the derivatives.
-    fn over(&self, cell: &[Rational]) -> Option<Range> {
-        let offset: Vec<Interval> = cell.iter().map(|x| Interval::of(x, COARSE)).collect();
+    fn over(&self, cell: &Cell) -> Option<Range> {
+        let offset: Vec<Interval> = cell.centre.iter().map(|x| Interval::of(x, COARSE)).collect();
         let half = Interval::of(&ratio(1, 2), COARSE);
         let (mut value, mut around) = (self.level.clone(), Interval::zero());
         let mut slopes = Vec::new();
@@ -132,8 +179,11 @@ impl Quotient {
             let mean = self.slope[row].minus(&curved.times(&half, COARSE), COARSE);
             value = value.plus(&mean.times(y, COARSE), COARSE);
             let slope = size(&self.slope[row].minus(&curved, COARSE))?;
-            let spread = self.spread[row].upper().value()?;
-            let reach = self.halves[row].upper().value()?;
+            // By how much the derivative changes between the centre and the ends of the cell.
+            let change = |(column, half): (usize, &Rational)| Some(size(&self.bend[(row, column)])? * half);
+            let changes = cell.halves.iter().enumerate().map(change).collect::<Option<Vec<_>>>()?;
+            let spread = changes.into_iter().fold(ratio(0, 1), |sum, change| sum + change);
+            let reach = &cell.halves[row];
             let bound = (&slope + &spread * ratio(1, 2)) * reach;
             around = around.plus(&Interval::of(&bound, COARSE), COARSE);
             slopes.push(slope + spread);

@@ -26,7 +26,8 @@ def line(law, noise):
         mean = fsum(p * x for p, (x, v) in zip(densities, parts)) / fsum(densities)
         return fsum(p * (v + (x - mean) ** 2) for p, (x, v) in zip(densities, parts))
 
-    places = [-60] + list(range(-40, 41, 2)) + [60]
+    far = [60, 200, 1000, 5000, 20000]
+    places = [-y for y in reversed(far)] + list(range(-40, 41, 2)) + far
     return quad(integrand, places), quad(error, places)
 
 
@@ -62,6 +63,7 @@ third, zero = mpf(1) / 3, matrix(2, 2)
 print("1/3 N(0, 3) + 2/3 delta(1), R* = 1/2:", line([(third, 0, 3), (2 * third, 1, 0)], mpf(2)))
 print("1/4 N(-2, 5) + 1/2 N(1, 1) + 1/4 delta(3), R* = 3/2:",
       line([(mpf(1) / 4, -2, 5), (mpf(1) / 2, 1, 1), (mpf(1) / 4, 3, 0)], mpf(2) / 3))
+print("1/2 delta(0) + 1/2 N(0, 1000000), R* = 1/2:", line([(mpf(1) / 2, 0, 0), (mpf(1) / 2, 0, 1000000)], mpf(2)))
 seen, response = matrix([[2, 1], [1, 1]]), matrix([[1, 0], [1, 1]])
 atoms = [(third, matrix([0, 0]), zero), (third, matrix([1, 0]), zero), (third, matrix([0, 3]), zero)]
 slab = [(mpf(1) / 2, matrix([0, 0]), zero), (mpf(1) / 2, matrix([0, 0]), matrix([[1, 0], [0, 1]]))]

@@ -115,6 +115,16 @@ fn digits_of_an_outside_program() {
     }
 }
 
+/// SM-4.30: a spike and a slab a thousand times as wide; the strip is narrow only where they meet.
+#[test]
+fn a_spike_and_a_wide_slab() {
+    let now = statistics(&scalar([1, 1, 0, 0, 2], &[0])).expect("noisy").pop().expect("some");
+    let part = |variance| (ratio(1, 2), number(ratio(0, 1)), number(ratio(variance, 1)));
+    let law = mixture(vec![part(0), part(1_000_000)]);
+    let found = price(&now, &law, 70);
+    assert!(within(&found, &decimal("0.9815892099915880106")), "{found:?}");
+}
+
 /// SM-4.30: enclosures that stop early, where the errors of the rule and the tails are all there is, hold the value. Atoms near and far,
 /// components of like and of unlike width, short and long lattices.
 #[test]
