@@ -61,7 +61,12 @@ pub(super) struct Arrivals {
 pub(super) enum Critical {
     Exact(Rational),
     Between(Box<CriticalArrival>),
+    /// There are too many states to look for it.
+    NotSought,
 }
+
+/// With more states each certificate of the critical probability takes seconds, and a bisection many of them.
+const MOST_STATES: usize = 5;
 
 /// P(k) over all paths.
 pub(super) struct Point {
@@ -135,6 +140,7 @@ fn arrivals(process: &ModeProcess<Rational>) -> Option<Arrivals> {
     }
     let critical = match mode.scalar_critical_arrival() {
         Some(exact) => Critical::Exact(exact),
+        None if mode.states() > MOST_STATES => Critical::NotSought,
         None => Critical::Between(Box::new(mode.critical_arrival(&ratio(1, 1000))?)),
     };
     let loss = ratio(1, 1) - &probability;

@@ -24,6 +24,7 @@ pub(super) fn write(out: &mut impl Write, model: &Model, findings: &Findings, nu
         let largest = ends.map(|(lower, upper)| json!([lower.to_string(), upper.to_string()]));
         let critical = match &arrivals.critical {
             Critical::Exact(value) => json!({"exact": value.to_string()}),
+            Critical::NotSought => Value::Null,
             Critical::Between(found) => json!({
                 "unbounded": found.unbounded.as_ref().map(|(at, proof)| json!({"at": at.to_string(), "proof": page.growth(proof)})),
                 "bounded": found.bounded.as_ref().map(|(at, proof)| json!({"at": at.to_string(), "proof": moment_bound(proof)})),

@@ -129,6 +129,7 @@ impl Page<'_> {
             Critical::Exact(value) => {
                 lines.push(format!("the mean stays bounded above the critical probability {}", self.number(value)));
             }
+            Critical::NotSought => lines.push("the critical probability is sought for at most five states".to_owned()),
             Critical::Between(found) => {
                 if let Some((at, _)) = &found.unbounded {
                     lines.push(format!("the mean is proved unbounded at {}", self.numbers.below(at)));
