@@ -78,6 +78,17 @@ fn bursts_are_worse_than_fair_draws() {
     assert!(out.contains("critical probability 0.36\n"), "{out}");
 }
 
+/// Twenty modes have too many different Gramians to compare; all else is told.
+#[test]
+fn many_modes_are_told_without_a_margin() {
+    let mode = |i: i64| json!({"name": format!("{i}"), "transition": [[1, 1], [0, format!("{}/{}", i + 3, i + 2)]], "observation": [[1, i]]});
+    let model = json!({"format": "exact-kalman/stability/1", "id": "many", "process_noise": [[1, 0], [0, 1]], "observation_noise": [[1]],
+        "modes": (0..20).map(mode).collect::<Vec<_>>(), "probabilities": vec!["1/20"; 20]});
+    let out =
+        feed(&["stability", "-", "--steps", "0", "--moments", "1", "--most", "5000"], &model.to_string()).quietly(0);
+    assert!(out.contains("holds with windows of 3 readings") && !out.contains("Gramians"), "{out}");
+}
+
 /// No path from a large start exceeds the bound once the window is full.
 #[test]
 fn sensors_drawn_at_random_are_bounded_on_every_path() {
@@ -145,11 +156,12 @@ fn what_is_too_large_is_undecided() {
     let unit = |scale: &str| -> Value {
         (0..12).map(|i| (0..12).map(|j| if i == j { scale } else { "0" }).collect::<Value>()).collect()
     };
-    let model = json!({"format": "exact-kalman/stability/1", "id": "large", "transition": unit("1/2"), "process_noise": unit("1"),
+    let model = json!({"format": "exact-kalman/stability/1", "id": "large", "transition": unit("5/4"), "process_noise": unit("1"),
         "observation_noise": unit("1"), "modes": [{"name": "lost", "observation": unit("0")}, {"name": "seen", "observation": unit("1")}],
         "probabilities": ["1/2", "1/2"]});
     let out = feed(&["stability", "-", "--steps", "1"], &model.to_string()).quietly(3);
     assert!(out.contains("order 1  undecided: a linear system of order 158 would be needed"), "{out}");
+    assert!(out.contains("the critical probability is sought for at most five states"), "{out}");
 }
 
 #[test]
@@ -166,6 +178,9 @@ fn refusals_name_the_place() {
         ("/transition", json!([[long]]), "modes[0].transition: a number of 2989 bits; at most 2048 are worked with"),
         ("/process_noise", json!([["-1"]]), "process_noise: not positive semidefinite: v = [1] has vᵀPv = -1"),
         ("/modes", json!([]), "modes: is empty"),
+        ("/modes/0/name", json!(""), "modes[0].name: is empty"),
+        ("/modes/0/name", json!("a\u{1b}[2J"), "modes[0].name: holds the control character '\\u{1b}'"),
+        ("/id", json!("two\nlines"), "id: holds the control character '\\n'"),
     ] {
         let mut model = document(LINK);
         *model.pointer_mut(pointer).expect("there") = value;

@@ -151,7 +151,7 @@ fn arrivals(process: &ModeProcess<Rational>) -> Option<Arrivals> {
 
 fn curve(model: &Model, limits: Limits) -> (Vec<Point>, Option<String>) {
     let d = model.process.states();
-    let most = limits.most / d.saturating_pow(3).max(1);
+    let most = (limits.most / d.saturating_pow(3).max(1)).max(1);
     let mut points = Vec::new();
     let mut law = match CovarianceLaw::start(&model.process, model.start.clone(), most) {
         Ok(law) => law,

@@ -10,7 +10,7 @@ use super::text::reason;
 use crate::cli::numbers::Numbers;
 use crate::matrix::Matrix;
 use crate::scalar::Rational;
-use crate::stability::{MomentBound, MomentGrowth, MomentVerdict, UniformBound};
+use crate::stability::{MomentBound, MomentGrowth, MomentVerdict, UniformBound, WindowBound};
 
 pub(super) fn write(out: &mut impl Write, model: &Model, findings: &Findings, numbers: Numbers) -> io::Result<()> {
     let page = Page { model, numbers };
@@ -95,18 +95,19 @@ impl Page<'_> {
 
     fn bound(&self, bound: &UniformBound<Rational>) -> Value {
         let worst = bound.worst();
-        json!({"length": bound.length, "trace": worst.covariance.trace().to_string(),
+        let window = |window: &WindowBound<Rational>| json!({"modes": self.path(&window.modes), "covariance": proof_matrix(&window.covariance)});
+        json!({"length": bound.length, "windows": bound.windows.iter().map(window).collect::<Vec<_>>(), "trace": worst.covariance.trace().to_string(),
             "modes": self.path(&worst.modes), "covariance": proof_matrix(&worst.covariance)})
     }
 
     fn moment(&self, order: usize, moment: &Moment) -> Value {
-        let (verdict, proof) = match moment {
-            Moment::OnEveryPath => ("bounded", json!("on every path")),
-            Moment::Decided(MomentVerdict::Bounded(proof)) => ("bounded", moment_bound(proof)),
-            Moment::Decided(MomentVerdict::Unbounded(proof)) => ("unbounded", self.growth(proof)),
-            Moment::Decided(MomentVerdict::Undecided(doubt)) => ("undecided", json!(reason(*doubt))),
+        let (verdict, key, value) = match moment {
+            Moment::OnEveryPath => ("bounded", "reason", json!("P(k) is bounded on every path")),
+            Moment::Decided(MomentVerdict::Bounded(proof)) => ("bounded", "proof", moment_bound(proof)),
+            Moment::Decided(MomentVerdict::Unbounded(proof)) => ("unbounded", "proof", self.growth(proof)),
+            Moment::Decided(MomentVerdict::Undecided(doubt)) => ("undecided", "reason", json!(reason(*doubt))),
         };
-        json!({"order": order, "verdict": verdict, "proof": proof})
+        json!({"order": order, "verdict": verdict, key: value})
     }
 
     fn growth(&self, proof: &MomentGrowth) -> Value {

@@ -24,8 +24,8 @@ Examples:
   exact-kalman stability examples/stability/sensors.json --moments 1     sensors drawn at random
   exact-kalman stability examples/stability/plane.json --format json     with all certificates
 
-The file is described in docs/STABILITY.md. Exit codes: 0 the mean of P(k) stays bounded, 1 it does not,
-3 undecided, 2 trouble with the input";
+The file is described in docs/STABILITY.md. Exit codes: 0 the mean of P(k) stays bounded,
+1 it grows without bound, 2 trouble with the input, 3 undecided";
 
 /// Decide whether the covariance of a filter with random coefficients stays bounded
 #[derive(clap::Args, Debug)]
@@ -41,7 +41,7 @@ pub(super) struct Stability {
     /// Up to which order moments are decided.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=8))]
     moments: u32,
-    /// The most paths, subspaces, and values of P(k) times d³ that are looked at.
+    /// The most paths, subspaces, Gramians, and values of P(k) times d³ that are looked at.
     #[arg(long, default_value_t = 20_000, value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     most: u32,
     /// How to print; JSON is one object on one line, with the certificates.
@@ -79,12 +79,14 @@ impl Stability {
 
 fn read(text: &str) -> Result<Model, InputError> {
     let document = StabilityModel::parse(text)?;
+    printable("id", &document.id)?;
     let mut modes = Vec::with_capacity(document.modes.len());
     for (index, own) in document.modes.iter().enumerate() {
         let place = format!("modes[{index}]");
         if document.modes[..index].iter().any(|other| other.name == own.name) {
             return Err(InputError::at(format!("{place}.name"), format!("{:?} is the name of another mode", own.name)));
         }
+        printable(&format!("{place}.name"), &own.name)?;
         let matrices = document.mode(index)?;
         let all = [
             ("transition", &matrices.transition),
@@ -106,6 +108,17 @@ fn read(text: &str) -> Result<Model, InputError> {
         .map_err(|error| InputError::at(law, error.to_string()))?;
     let names = document.modes.into_iter().map(|mode| mode.name).collect();
     Ok(Model { id: document.id, names, process, start })
+}
+
+/// A name that can stand in a line of text.
+fn printable(path: &str, name: &str) -> Result<(), InputError> {
+    if name.is_empty() {
+        return Err(InputError::at(path, "is empty"));
+    }
+    match name.chars().find(|character| character.is_control()) {
+        Some(character) => Err(InputError::at(path, format!("holds the control character {character:?}"))),
+        None => Ok(()),
+    }
 }
 
 fn short<'a>(path: &str, numbers: impl IntoIterator<Item = &'a Rational>) -> Result<(), InputError> {

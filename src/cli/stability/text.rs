@@ -116,8 +116,11 @@ impl Page<'_> {
                 if proof.radius == Rational::from_integer(1.into()) {
                     return format!("unbounded: paths that stay in {names} keep what each step adds");
                 }
-                let times = self.numbers.below(&proof.radius);
-                format!("unbounded: at least {times} times as large with each step of paths that stay in {names}")
+                let one = Rational::from_integer(1.into());
+                let rounded = self.numbers.below(&proof.radius);
+                let times =
+                    if rounded == one.to_string() { "more than 1".to_owned() } else { format!("at least {rounded}") };
+                format!("unbounded: {times} times as large with each step of paths that stay in {names}")
             }
             Moment::Decided(MomentVerdict::Undecided(doubt)) => format!("undecided: {}", reason(*doubt)),
         }
@@ -127,7 +130,10 @@ impl Page<'_> {
         let mut lines = Vec::new();
         match &arrivals.critical {
             Critical::Exact(value) => {
-                lines.push(format!("the mean stays bounded above the critical probability {}", self.number(value)));
+                lines.push(format!(
+                    "the mean stays bounded above the critical probability {}",
+                    self.numbers.above(value)
+                ));
             }
             Critical::NotSought => lines.push("the critical probability is sought for at most five states".to_owned()),
             Critical::Between(found) => {
@@ -155,7 +161,7 @@ impl Page<'_> {
 
 pub(super) fn reason(doubt: MomentDoubt) -> String {
     match doubt {
-        MomentDoubt::NoCertificate => "neither gains that bound it were found, nor an unobserved growth".to_owned(),
+        MomentDoubt::NoCertificate => "no gains were found that bound it, and nothing unobserved that grows".to_owned(),
         MomentDoubt::TooLarge { order } => format!("a linear system of order {order} would be needed"),
     }
 }

@@ -44,8 +44,8 @@ impl Mode<Rational> {
     /// direction is never observed), and for the least λ at which [`ModeProcess::moment_bound`] proves it bounded. With H invertible they
     /// meet; in general λ_c may lie anywhere between, and no method is known that decides it.
     ///
-    /// Nothing is returned unless the width is positive. Each trial costs what [`ModeProcess::moment`] of order one does, and there are
-    /// two for each halving.
+    /// Nothing is returned unless the width is positive. Each trial costs what [`ModeProcess::moment`] of order one does,
+    /// but without its limit on d, and there are two for each halving.
     ///
     /// # Examples
     ///

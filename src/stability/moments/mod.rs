@@ -75,7 +75,7 @@ impl ModeProcess<Rational> {
         if size > LARGEST_OPERATOR {
             return MomentVerdict::Undecided(MomentDoubt::TooLarge { order: size });
         }
-        if let Some(growth) = self.moment_growth(order) {
+        if let Some(growth) = self.moment_growth_from(order, start) {
             return MomentVerdict::Unbounded(growth);
         }
         match self.moment_bound(order, start) {

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
 use exact_kalman::stability::{
-    LargestMoment, Mode, ModeProcess, MomentBound, MomentDoubt, MomentGrowth, MomentVerdict,
+    CovarianceLaw, LargestMoment, Mode, ModeProcess, MomentBound, MomentDoubt, MomentGrowth, MomentVerdict,
 };
 use num_traits::{One, Zero};
 
@@ -329,4 +329,36 @@ fn the_largest_moment_is_found() {
         let near = |bound: &Rational| (exact_kalman::scalar::nearest_double(bound) - s).abs() < 1.001e-4;
         assert!(near(&lower) && near(&upper) && upper > lower);
     }
+}
+
+/// WG-48: what grows need not be excited where it grows: the noise of another mode, of another direction, or P(0) is enough. The means
+/// by hand: with f = 2, lost without noise or received with q = r = 1, a = 1/2, E p(1) = 1/2, and then p = 0 or 1 becomes 0, 4, 1 or 3.
+#[test]
+fn growth_begins_where_noise_or_the_start_reaches() {
+    let mode = |h, q| scalar_mode([2, h, q, 1].map(|entry| ratio(entry, 1)));
+    let half = ratio(1, 2);
+    let quiet = ModeProcess::independent(vec![mode(0, 0), mode(1, 1)], vec![half.clone(), half]).expect("a process");
+    let nothing = scalar(ratio(0, 1));
+    let mut law = CovarianceLaw::start(&quiet, nothing.clone(), 100).expect("a start");
+    let means = [1, 2].map(|_| {
+        law.advance().expect("few");
+        law.mean()[(0, 0)].clone()
+    });
+    assert_eq!(means, [ratio(1, 2), ratio(4 + 1 + 3, 4)]);
+    assert!(matches!(quiet.moment(1, &nothing), MomentVerdict::Unbounded(_)));
+    // P(k) = 4ᵏ P(0).
+    let blind = ModeProcess::independent(vec![mode(0, 0)], vec![ratio(1, 1)]).expect("a process");
+    assert!(matches!(blind.moment(1, &scalar(ratio(1, 1))), MomentVerdict::Unbounded(_)));
+    assert_eq!(
+        (blind.moment_growth(1), blind.moment(1, &nothing)),
+        (None, MomentVerdict::Undecided(MomentDoubt::NoCertificate))
+    );
+    // The noise of the second state reaches the first.
+    let chain = |noise: [Rational; 2]| {
+        let (f, h) = (Matrix::from_integers(&[[2, 1], [0, 2]]), Matrix::from_integers(&[[0, 0]]));
+        let mode = Mode::new(f, h, Matrix::diagonal(&noise), Matrix::identity(1)).expect("a mode");
+        ModeProcess::independent(vec![mode], vec![ratio(1, 1)]).expect("a process")
+    };
+    assert!(chain([ratio(0, 1), ratio(1, 1)]).moment_growth(1).is_some());
+    assert!(chain([ratio(0, 1), ratio(0, 1)]).moment_growth(1).is_none());
 }
