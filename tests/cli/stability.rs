@@ -161,7 +161,7 @@ fn what_is_too_large_is_undecided() {
         "probabilities": ["1/2", "1/2"]});
     let out = feed(&["stability", "-", "--steps", "1"], &model.to_string()).quietly(3);
     assert!(out.contains("order 1  undecided: a linear system of order 158 would be needed"), "{out}");
-    assert!(out.contains("the critical probability is sought for at most five states"), "{out}");
+    assert!(out.contains("the critical probability is sought for at most four states"), "{out}");
 }
 
 #[test]

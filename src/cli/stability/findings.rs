@@ -66,7 +66,7 @@ pub(super) enum Critical {
 }
 
 /// With more states each certificate of the critical probability takes seconds, and a bisection many of them.
-const MOST_STATES: usize = 5;
+const MOST_STATES: usize = 4;
 
 /// P(k) over all paths.
 pub(super) struct Point {

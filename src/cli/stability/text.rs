@@ -135,7 +135,7 @@ impl Page<'_> {
                     self.numbers.above(value)
                 ));
             }
-            Critical::NotSought => lines.push("the critical probability is sought for at most five states".to_owned()),
+            Critical::NotSought => lines.push("the critical probability is sought for at most four states".to_owned()),
             Critical::Between(found) => {
                 if let Some((at, _)) = &found.unbounded {
                     lines.push(format!("the mean is proved unbounded at {}", self.numbers.below(at)));
