@@ -13,6 +13,7 @@ mod limit;
 mod measure;
 mod moments;
 mod price;
+#[cfg(feature = "judge")]
 mod price_values;
 mod start;
 mod world;
