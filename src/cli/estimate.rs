@@ -27,8 +27,9 @@ Examples:
   exact-kalman estimate examples/estimate/coin.json --price             what the affine one loses
   exact-kalman estimate examples/estimate/slab.json --format json
 
-Every digit is proved: irrational numbers are enclosed until both ends round alike. With --exact
-they are decimals of 17 digits followed by `…`. `<2^-N` bounds what is closer to zero than any
+Digits are proved: irrational numbers are enclosed until both ends round alike. With --exact they
+are decimals of 17 digits followed by `…`. The price may be `from … to …`, both ends proved, or,
+where the readings see more than two directions, `unsupported (…)` with a simulation, no proof. `<2^-N` bounds what is closer to zero than any
 decimal that is computed, `unknown (…)` says why an entry has no digits. Exit codes: 0 all
 estimated, 2 the file is refused, with the place and the reason, or other trouble";
 

@@ -49,7 +49,9 @@ impl Price {
                         .map_or_else(|| ends(&interval, digits), |digits| format!("{digits}{mark}"))
                 }
                 Err(error @ PriceError::Dimension { .. }) => {
-                    format!("unsupported ({error}); {}", simulated_price(now, law, self.draws, self.seed))
+                    let simulated = simulated_price(now, law, self.draws, self.seed);
+                    let simulated = simulated.map_or_else(|why| why.to_string(), |found| found.to_string());
+                    format!("unsupported ({error}); {simulated}")
                 }
             }
         })

@@ -51,7 +51,7 @@ pub enum MixtureError {
     },
 }
 
-/// Slope and curvature of the log likelihood of the first state, and the mean that the next state has for 0 as the first.
+/// Slope and curvature of the log likelihood at μ, the mean of the first state, and the mean that the next state has for μ as the first.
 struct State {
     covariance: DMatrix<f64>,
     response: DMatrix<f64>,
@@ -63,8 +63,9 @@ struct State {
 /// Best and best affine estimates of each next state, the covariance of the first and their difference; weights by the logarithm of a
 /// sum of exponentials.
 ///
-/// It runs Q*, R* and B̄ by their closed recursions SM-4.6, SM-4.7 and SM-4.8, and never forms Q, R or M. The initial belief of the
-/// path is not used.
+/// It runs Q*, R* and B̄ by their closed recursions SM-4.6, SM-4.7 and SM-4.8, and never forms Q, R or M. X̄ starts at the mean μ of the
+/// law rather than at 0, and z − μ takes the place of z, so that digits do not depend on where the origin is. The initial belief of the path
+/// is not used.
 ///
 /// # Errors
 ///
@@ -77,15 +78,18 @@ pub fn estimate_mixture(path: &Path<f64>, law: &[MixturePart]) -> Result<Vec<Mix
     if path.timing() != Timing::Departing {
         return Err(MixtureError::Arriving);
     }
-    let parts = law.iter().map(Part::of).collect::<Option<Vec<_>>>().ok_or(MixtureError::NoLaw)?;
-    let whole = Part::whole(&parts).ok_or(MixtureError::NoLaw)?;
     let n = path.states();
+    // Any point amid the law would do: that it is rounded does no harm.
+    let centre = law.iter().fold(DVector::zeros(n), |sum, part| sum + dense_column(&part.mean) * part.weight);
+    let parts =
+        law.iter().map(|part| Part::of(part, &centre)).collect::<Option<Vec<_>>>().ok_or(MixtureError::NoLaw)?;
+    let whole = Part::whole(&parts).ok_or(MixtureError::NoLaw)?;
     let zero = DMatrix::zeros(n, n);
     let mut state = State {
         covariance: zero.clone(),
         response: DMatrix::identity(n, n),
         precision: zero,
-        mean: DVector::zeros(n),
+        mean: centre,
         linear: DVector::zeros(n),
     };
     let mut all = Vec::new();
@@ -171,13 +175,14 @@ impl State {
 /// A Gaussian law of the first state with its probability.
 struct Part {
     weight: f64,
+    /// Less μ.
     mean: DVector<f64>,
     /// L with Δ = LLᵀ, n×n.
     root: DMatrix<f64>,
 }
 
 impl Part {
-    fn of(part: &MixturePart) -> Option<Self> {
+    fn of(part: &MixturePart, centre: &DVector<f64>) -> Option<Self> {
         let covariance = dense(&part.covariance);
         if covariance.iter().chain(part.mean.entries()).any(|entry| !entry.is_finite()) {
             return None;
@@ -185,7 +190,7 @@ impl Part {
         let parts = covariance.symmetric_eigen();
         let roots = parts.eigenvalues.map(|value| value.max(0.0).sqrt());
         let root = parts.eigenvectors * DMatrix::from_diagonal(&roots);
-        Some(Self { weight: part.weight, mean: dense_column(&part.mean), root })
+        Some(Self { weight: part.weight, mean: dense_column(&part.mean) - centre, root })
     }
 
     /// Mean and covariance of the whole mixture: Δ is the sum of the squares of all roots and of all ways from the mean, whose root is

@@ -3,7 +3,8 @@
 //! With sizes Sᵢ of the classes an entry is the average, under the weights SᵢSⱼ of pairs, of `½(vᵢ + vⱼ) + ½(lᵢ − lⱼ)(rᵢ − rⱼ)`. It is
 //! the fraction ρ iff the sum of `SᵢSⱼ (… − ρ)` vanishes over each class of pairs. The pairs with the largest exponent leave one
 //! candidate for ρ. The others are looked at from the larger exponents to the smaller ones, until each entry is refuted:
-//! mostly at the second exponent, so that the square of the number of classes is only paid for entries that are fractions.
+//! mostly at the second exponent, so that the square of the number of classes is only paid for entries that are fractions, and not for
+//! those that are the same number for all pairs.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -20,6 +21,12 @@ pub(super) struct Central {
 }
 
 impl Central {
+    /// Whether it is the same number for all pairs: the covariance is one within all classes, and so is the mean in the row or in the column.
+    fn is_constant(&self) -> bool {
+        let constant = |of: &[Rational]| of.iter().all(|value| *value == of[0]);
+        constant(&self.inner) && (constant(&self.left) || constant(&self.right))
+    }
+
     /// Twice what is averaged over pairs.
     fn twice(&self, i: usize, j: usize) -> Rational {
         let away = |of: &[Rational]| of[i].minus(&of[j]);
@@ -65,12 +72,13 @@ pub(super) fn fractions(classes: &Classes, entries: &[Central]) -> Vec<Option<Ra
     let mut order: Vec<usize> = (0..classes.all.len()).collect();
     order.sort_by_key(|&i| Reverse(&classes.all[i].exponent));
     let mut found: Vec<Option<Rational>> = entries.iter().map(|entry| candidate(classes, &order, entry)).collect();
+    let open: Vec<bool> = entries.iter().map(|entry| !entry.is_constant()).collect();
     let mut descending = Descending::new(classes, &order);
-    while found.iter().any(Option::is_some)
+    while found.iter().zip(&open).any(|(value, open)| *open && value.is_some())
         && let Some(pairs) = descending.next()
     {
         let pairs = Pairs::of(classes, pairs);
-        for (entry, value) in entries.iter().zip(&mut found) {
+        for ((entry, value), _) in entries.iter().zip(&mut found).zip(&open).filter(|(_, open)| **open) {
             if value.as_ref().is_some_and(|fraction| pairs.averages(entry).iter().any(|average| average != fraction)) {
                 *value = None;
             }

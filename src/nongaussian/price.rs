@@ -2,10 +2,10 @@
 
 use num_bigint::BigInt;
 
-use super::quadrature::{Bump, MOST_POINTS, Plan};
+use super::quadrature::{Bump, MOST_WORK, Plan};
 use super::{Enclosed, InitialLaw, Statistics};
 use crate::matrix::Matrix;
-use crate::scalar::{Dyadic, Interval, OrderedField, Rational, Toward, ratio};
+use crate::scalar::{Dyadic, Interval, OrderedField, Rational, Toward, nearest_double, ratio};
 
 /// Why the price is not computed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -17,12 +17,12 @@ pub enum PriceError {
         rank: usize,
     },
     /// It did not become as narrow as asked for.
-    #[error("not proved to {bits} bits with {points} points")]
+    #[error("not proved to {bits} bits with {work} evaluations of a component")]
     TooWide {
         /// The bits asked for.
         bits: u64,
-        /// The most points at which the integrand is evaluated.
-        points: u32,
+        /// The most work, in evaluations of a component at a point in 64 bits.
+        work: u32,
         /// What is proved.
         found: Interval,
     },
@@ -101,7 +101,7 @@ impl Statistics<Rational> {
     ///
     /// # Errors
     ///
-    /// [`PriceError`] where R* has a rank above 2, unless ε = 0, or where too many points would be needed: then with what is
+    /// [`PriceError`] where R* has a rank above 2, unless ε = 0, or where it would be too much work: then with what is
     /// proved.
     ///
     /// # Panics
@@ -156,7 +156,7 @@ impl Statistics<Rational> {
         let nothing = Interval::between(Dyadic::zero(), bound);
         match bumps {
             Some(bumps) => enclosed(&bumps, nothing, bits).map(Enclosed::Between),
-            None => Err(PriceError::TooWide { bits, points: MOST_POINTS, found: nothing }),
+            None => Err(PriceError::TooWide { bits, work: MOST_WORK, found: nothing }),
         }
     }
 }
@@ -181,18 +181,27 @@ fn enclosed(bumps: &[Bump], mut found: Interval, bits: u64) -> Result<Interval, 
     let size = |end: &Dyadic| end.magnitude().unwrap_or_default();
     // A cheap first attempt, from which one knows how much is missing.
     let mut effort = 40_u64.saturating_add_signed(-size(found.upper())).clamp(40, MOST_EFFORT);
+    let mut left = f64::from(MOST_WORK);
     loop {
         let wanted = effort;
         let plan = loop {
-            match Plan::new(bumps, effort) {
-                Some(plan) if plan.points(bumps) <= f64::from(MOST_POINTS) => break plan,
-                _ if effort <= LEAST_EFFORT => return Err(PriceError::TooWide { bits, points: MOST_POINTS, found }),
-                _ => effort -= effort.div_ceil(8),
+            let plan = Plan::new(bumps, effort, &mut left);
+            match plan.map(|plan| (plan.work(bumps), plan)) {
+                Some((work, plan)) if work <= left => {
+                    left -= work;
+                    break plan;
+                }
+                _ if effort <= LEAST_EFFORT => return Err(PriceError::TooWide { bits, work: MOST_WORK, found }),
+                Some((work, _)) => effort = less(effort, left / work).max(LEAST_EFFORT),
+                None => effort = less(effort, 1.0).max(LEAST_EFFORT),
             }
         };
         if let Some(better) = plan.integral(bumps) {
             let (lower, upper) = (better.lower().max(found.lower()), better.upper().min(found.upper()));
-            found = Interval::between(lower.clone(), upper.clone());
+            debug_assert!(lower <= upper, "{better:?} and {found:?} hold one number");
+            if lower <= upper {
+                found = Interval::between(lower.clone(), upper.clone());
+            }
         }
         let width = found.upper().plus(&found.lower().negated(), 64, Toward::Above);
         let part = Dyadic::new(BigInt::from(1), -i64::try_from(bits).unwrap_or(i64::MAX));
@@ -201,13 +210,19 @@ fn enclosed(bumps: &[Bump], mut found: Interval, bits: u64) -> Result<Interval, 
             return Ok(found);
         }
         if effort < wanted || effort >= MOST_EFFORT {
-            return Err(PriceError::TooWide { bits, points: MOST_POINTS, found });
+            return Err(PriceError::TooWide { bits, work: MOST_WORK, found });
         }
         let missing = if found.lower().is_zero() { None } else { u64::try_from(size(&width) - size(&allowed)).ok() };
         effort = (effort + missing.map_or(effort, |missing| missing + 2)).min(MOST_EFFORT);
     }
 }
 
-/// Bits of work below which nothing is learned, and above which nothing is tried.
+/// The effort for this part of the work, which grows at least as its square; an eighth less at least.
+fn less(effort: u64, part: f64) -> u64 {
+    let square = |effort: u64| nearest_double(&Rational::from(BigInt::from(effort * effort)));
+    (0..=effort - effort.div_ceil(8)).rev().find(|&less| square(less) <= part * square(effort)).unwrap_or(0)
+}
+
+/// Bits of effort below which nothing is learned, and above which nothing is tried.
 const LEAST_EFFORT: u64 = 8;
 const MOST_EFFORT: u64 = 1 << 13;

@@ -16,7 +16,7 @@
 use num_bigint::BigInt;
 
 use super::lattice::{Axis, sum};
-use super::strip::half_widths;
+use super::strip::{self, half_widths};
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Interval, Rational, Toward, nearest_double, ratio};
 
@@ -39,8 +39,8 @@ pub(super) struct Bump {
 /// An interval on each axis.
 pub(super) type Bounds = Vec<(Rational, Rational)>;
 
-/// The most points at which the integrand is evaluated.
-pub(super) const MOST_POINTS: u32 = 1 << 21;
+/// The most work for an integral, in evaluations of a component at a point in 64 bits.
+pub(super) const MOST_WORK: u32 = 1 << 23;
 
 /// Bits of bounds that need not be sharp.
 pub(super) const COARSE: u64 = 64;
@@ -52,32 +52,39 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Nothing where the components are too different in scale.
-    pub(super) fn new(bumps: &[Bump], effort: u64) -> Option<Self> {
+    /// Nothing where the components are too different in scale, or where half of the work that is left does not find the strips; the work
+    /// for them is taken away.
+    pub(super) fn new(bumps: &[Bump], effort: u64, left: &mut f64) -> Option<Self> {
         let boxes = disjoint(bumps.iter().map(|bump| support(bump, effort)).collect());
+        let count = nearest_double(&Rational::from(BigInt::from(boxes.len())));
+        let cuts = strip::cuts(boxes.first()?.len(), bumps.len(), *left / 2.0 / count)?;
+        *left -= strip::work(bumps.len(), cuts) * count;
         let planned = |bounds: Bounds| {
-            let widths = half_widths(bumps, &bounds)?;
+            let widths = half_widths(bumps, &bounds, cuts)?;
             let axes = bounds.iter().zip(&widths).map(|(ends, width)| axis(ends, width, effort));
             Some((axes.collect::<Option<_>>()?, widths))
         };
         Some(Self { effort, boxes: boxes.into_iter().map(planned).collect::<Option<_>>()? })
     }
 
-    /// About how many points matter: those within the ellipses of the densities. It bounds the work, and proves nothing.
-    pub(super) fn points(&self, bumps: &[Bump]) -> f64 {
+    /// About how much work it is: a component is evaluated at the points within its ellipse, and with a row or a box there is more to do. It
+    /// bounds the work, and proves nothing.
+    pub(super) fn work(&self, bumps: &[Bump]) -> f64 {
         let double = |x: &Rational| nearest_double(x);
+        let whole = |count: usize| double(&Rational::from(BigInt::from(count)));
+        let bits = double(&Rational::from(BigInt::from(self.effort + 64)));
         let of_box = |(axes, _): &(Vec<Axis>, Vec<Rational>)| {
             let cell: f64 = axes.iter().map(|axis| double(&axis.step)).product();
-            let all: f64 = axes.iter().map(|axis| double(&Rational::from(BigInt::from(axis.count)))).product();
-            let reach = 1.4 * double(&Rational::from(BigInt::from(self.effort + 64)));
+            let all: f64 = axes.iter().map(|axis| whole(axis.count)).product();
             let ellipse = |bump: &Bump| match axes.len() {
-                1 => 2.0 * (reach * double(&bump.determinant)).sqrt() / cell,
-                _ => std::f64::consts::PI * reach * double(&bump.determinant).sqrt() / cell,
+                1 => 2.0 * (1.4 * bits * double(&bump.determinant)).sqrt() / cell,
+                _ => std::f64::consts::PI * 1.4 * bits * double(&bump.determinant).sqrt() / cell,
             };
-            let rows = if axes.len() == 1 { 0.0 } else { double(&Rational::from(BigInt::from(axes[0].count))) };
-            all.min(bumps.iter().map(ellipse).sum()) + 20.0 * rows
+            let rows = if axes.len() == 1 { 0.0 } else { whole(axes[0].count) };
+            let points: f64 = bumps.iter().map(|bump| all.min(ellipse(bump))).sum();
+            points + whole(bumps.len()) * (20.0 * rows + 32.0)
         };
-        self.boxes.iter().map(of_box).sum()
+        self.boxes.iter().map(of_box).sum::<f64>() * bits / 64.0
     }
 
     /// The integral; nothing where a bound overflows.

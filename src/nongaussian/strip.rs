@@ -14,10 +14,10 @@ use num_traits::Signed;
 
 use super::quadrature::{Bounds, Bump, COARSE, root_above};
 use crate::matrix::Matrix;
-use crate::scalar::{Interval, Rational, ratio};
+use crate::scalar::{Interval, Rational, nearest_double, ratio};
 
-/// For each axis an α such that for |y| ≤ α, everywhere in the box, `|Σ pᵢ| ≥ ¾/k Σ |pᵢ|` at x + iy, and α²κ ≤ 4 for each κ.
-pub(super) fn half_widths(bumps: &[Bump], bounds: &Bounds) -> Option<Vec<Rational>> {
+/// For each axis an α such that for |y| ≤ α, everywhere in the box, `|Σ pᵢ| ≥ ¾/k Σ |pᵢ|` at x + iy, and α²κ ≤ 4 for each κ: the wider, the more cuts.
+pub(super) fn half_widths(bumps: &[Bump], bounds: &Bounds, cuts: u32) -> Option<Vec<Rational>> {
     let middle = Matrix::column(bounds.iter().map(|(first, last)| (first + last) * ratio(1, 2)).collect());
     let quotients = Quotients {
         pairs: (0..bumps.len())
@@ -36,7 +36,7 @@ pub(super) fn half_widths(bumps: &[Bump], bounds: &Bounds) -> Option<Vec<Rationa
     };
     // The steeper a cell, the sooner it is cut: only where components of one size meet do cells have to be small.
     let mut cells = BinaryHeap::from([quotients.steepness(whole, &limits)?]);
-    for _ in 0..if bounds.len() == 1 { MOST_CUTS } else { 4 * MOST_CUTS } {
+    for _ in 0..cuts {
         let Some(steepest) = cells.peek_mut().filter(|steepest| steepest.worst > ratio(3, 2)) else { break };
         for half in PeekMut::pop(steepest).cell.halved(&limits) {
             cells.push(quotients.steepness(half, &limits)?);
@@ -49,8 +49,18 @@ pub(super) fn half_widths(bumps: &[Bump], bounds: &Bounds) -> Option<Vec<Rationa
     widths.collect()
 }
 
-/// How often a line is cut; a plane, four times as often.
-const MOST_CUTS: usize = 128;
+/// How often a box is cut: a line 128 times, a plane four times as often, less often where so much work is not allowed; nothing where not even
+/// one cut is.
+pub(super) fn cuts(dimension: usize, components: usize, allowed: f64) -> Option<u32> {
+    let most = if dimension == 1 { 128 } else { 512 };
+    (1..=most).rev().find(|&cuts| work(components, cuts) <= allowed)
+}
+
+/// In evaluations of a component at a point: eight for each pair in each cell, of which a cut makes two, and as much as for four cells to begin.
+pub(super) fn work(components: usize, cuts: u32) -> f64 {
+    let count = nearest_double(&Rational::from(BigInt::from(components)));
+    count * (count - 1.0) / 2.0 * 8.0 * f64::from(4 + 2 * cuts)
+}
 
 /// A part of the box, by the offset of its centre from that of the box.
 struct Cell {

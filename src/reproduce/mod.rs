@@ -15,5 +15,5 @@ mod price;
 mod random;
 
 pub use consistency_table::{Cell, ConsistencyTable, Estimate, Row, Setting, Statistic};
-pub use price::{SimulatedPrice, simulated_price};
+pub use price::{NotSimulated, SimulatedPrice, simulated_price};
 pub use random::Stream;

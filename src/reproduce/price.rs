@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+use num_bigint::BigInt;
+use num_traits::Zero;
+
 use super::Stream;
 use crate::gaussian::Gaussian;
 use crate::matrix::Matrix;
@@ -21,6 +24,11 @@ pub struct SimulatedPrice {
     pub seed: u64,
 }
 
+/// Why there is no number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("not simulated: doubles do not hold it, or lose it in rounding")]
+pub struct NotSimulated;
+
 impl fmt::Display for SimulatedPrice {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { mean, standard_error, draws, seed } = self;
@@ -33,6 +41,13 @@ impl fmt::Display for SimulatedPrice {
 
 /// Draws ξ ~ F and b ~ N(R*ξ, R*), which is all that the readings tell of ξ (SM-L1), and averages ‖X̂ − X̂ᴷ‖², both estimates computed from b
 /// in doubles (SM-epsilon). It works for R* of any rank.
+///
+/// ε(t) is that of ξ − μ, and grows as the square of the unit of ξ: so the law is first moved to the mean 0, and its numbers to about 1 by a
+/// power of two, exactly.
+///
+/// # Errors
+///
+/// [`NotSimulated`] where the mean is no double, or lost in the rounding of the estimates.
 ///
 /// # Panics
 ///
@@ -59,7 +74,7 @@ impl fmt::Display for SimulatedPrice {
 /// };
 /// let path = system.realised(&[Observation::complete([ratio(0, 1)])])?;
 /// let coin = InitialLaw::atoms([(ratio(1, 2), one.clone()), (ratio(1, 2), one.scaled(&ratio(-1, 1)))])?;
-/// let found = simulated_price(&statistics(&path)?[1], &coin, 10_000, 1);
+/// let found = simulated_price(&statistics(&path)?[1], &coin, 10_000, 1)?;
 /// // E(tanh Y − Y/2)² = 0.0504…; five standard errors are exceeded once in a million.
 /// assert!((found.mean - 0.050_400_490_8).abs() < 5.0 * found.standard_error);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -69,33 +84,68 @@ pub fn simulated_price(
     initial: &InitialLaw<Rational>,
     draws: u32,
     seed: u64,
-) -> SimulatedPrice {
+) -> Result<SimulatedPrice, NotSimulated> {
     assert!(draws >= 2, "a standard error needs two draws");
-    let precision = now.precision();
+    let unit = unit(initial);
+    let precision = now.precision().scaled(&power_of_two(2 * unit));
     let response = doubles(&now.response());
-    let parts: Vec<Part> = initial.components().iter().map(|part| Part::new(part, &precision)).collect();
-    let all = Component { weight: ratio(1, 1), law: overall(initial) };
+    let sizes = response.map(|x| x.abs());
+    let middle = initial.mean();
+    let centred = |law: Gaussian<Rational>| {
+        let mean = (law.mean() - &middle).scaled(&power_of_two(-unit));
+        gaussian(mean, law.covariance().scaled(&power_of_two(-2 * unit)))
+    };
+    let component =
+        |part: &Component<Rational>| Component { weight: part.weight.clone(), law: centred(part.law.clone()) };
+    let parts: Vec<Part> = initial.components().iter().map(|part| Part::new(&component(part), &precision)).collect();
+    let all = Component { weight: ratio(1, 1), law: centred(gaussian(middle.clone(), initial.covariance())) };
     let affine = Part::new(&all, &precision);
     let (precision, noise) = (doubles(&precision), root(&precision));
     let mut stream = Stream::named("price of linearity", seed);
-    let (mut mean, mut squares) = (0.0, 0.0);
+    let (mut mean, mut squares, mut rounding) = (0.0, 0.0, 0.0);
     for draw in 1..=draws {
         let chosen = choice(&parts, stream.uniform());
         let start = sum(&chosen.mean, &times(&chosen.root, &normals(&mut stream, chosen.mean.len())));
         let b = sum(&times(&precision, &start), &times(&noise, &normals(&mut stream, start.len())));
-        let away: Vec<f64> = best(&parts, &b).iter().zip(affine.estimate(&b)).map(|(one, other)| one - other).collect();
-        let value: f64 = times(&response, &away).iter().map(|x| x * x).sum();
+        let linear = affine.estimate(&b);
+        let away: Vec<f64> = best(&parts, &b).iter().zip(&linear).map(|(one, other)| one - other).collect();
+        let value = square(&times(&response, &away));
+        rounding += square(&times(&sizes, &linear.iter().map(|x| x.abs()).collect::<Vec<_>>())) * ROUNDING;
         let step = value - mean;
         mean += step / f64::from(draw);
         squares += step * (value - mean);
     }
     let standard_error = (squares / f64::from(draws - 1) / f64::from(draws)).sqrt();
-    SimulatedPrice { mean, standard_error, draws, seed }
+    let in_units =
+        |x: f64| libm::ldexp(x, i32::try_from(2 * unit).unwrap_or(if unit < 0 { i32::MIN } else { i32::MAX }));
+    let found = SimulatedPrice { mean: in_units(mean), standard_error: in_units(standard_error), draws, seed };
+    let is_seen = found.mean.is_normal() && found.standard_error.is_normal() && mean > rounding / f64::from(draws);
+    if is_seen || (found.mean == 0.0 && now.is_linear_best(initial)) { Ok(found) } else { Err(NotSimulated) }
 }
 
-/// N(μ, Δ) with the moments of the whole law.
-fn overall(initial: &InitialLaw<Rational>) -> Gaussian<Rational> {
-    match Gaussian::new(initial.mean(), initial.covariance()) {
+/// The squares of estimates are off by about this part: their entries by some 10⁻¹⁵, and a digit more is wanted.
+const ROUNDING: f64 = 1e-28;
+
+/// The power of two next to the largest deviation of a component from the mean of all, or of an entry from that of its component.
+fn unit(initial: &InitialLaw<Rational>) -> i64 {
+    let bits = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX / 4);
+    let size = |x: &Rational| (!x.is_zero()).then(|| bits(x.numer()) - bits(x.denom()));
+    let mean = initial.mean();
+    let of_part = |part: &Component<Rational>| {
+        let away = part.law.mean() - &mean;
+        let spread = part.law.covariance().entries().iter().filter_map(size).max();
+        away.entries().iter().filter_map(size).max().max(spread.map(|bits| bits / 2))
+    };
+    initial.components().iter().filter_map(of_part).max().unwrap_or(0)
+}
+
+fn power_of_two(exponent: i64) -> Rational {
+    let power = BigInt::from(1) << exponent.unsigned_abs();
+    if exponent < 0 { Rational::new(BigInt::from(1), power) } else { power.into() }
+}
+
+fn gaussian(mean: Matrix<Rational>, covariance: Matrix<Rational>) -> Gaussian<Rational> {
+    match Gaussian::new(mean, covariance) {
         Ok(law) => law,
         Err(error) => unreachable!("a covariance is symmetric, but {error}"),
     }
@@ -192,6 +242,10 @@ fn root(covariance: &Matrix<Rational>) -> Matrix<f64> {
 
 fn times(matrix: &Matrix<f64>, vector: &[f64]) -> Vec<f64> {
     (0..matrix.rows()).map(|row| matrix.row(row).iter().zip(vector).map(|(a, x)| a * x).sum()).collect()
+}
+
+fn square(vector: &[f64]) -> f64 {
+    vector.iter().map(|x| x * x).sum()
 }
 
 fn sum(one: &[f64], other: &[f64]) -> Vec<f64> {

@@ -234,6 +234,18 @@ fn digits_of_another_program() {
     assert_eq!(value(&out, "covariance"), "2.91282972630840649346271");
 }
 
+/// Help, schema and page name the forms that a price can have.
+#[test]
+fn the_forms_of_a_price_are_told() {
+    let help = run(&["estimate", "--help"]).quietly(0);
+    let schema: Value = serde_json::from_str(OUTPUT).unwrap();
+    let price = &schema["properties"]["steps"]["items"]["properties"]["price"]["description"];
+    for text in [&help, price.as_str().unwrap(), include_str!("../../docs/ESTIMATE.md")] {
+        assert!(text.contains("from … to …") && text.contains("unsupported (") && text.contains("simulat"), "{text}");
+    }
+    assert!(!help.contains("Every digit is proved"));
+}
+
 /// Every key of the output, and nothing else, is in its schema; required are all but the price.
 #[test]
 fn the_output_has_its_schema() {

@@ -12,11 +12,15 @@ use proptest::prelude::*;
 
 use crate::systems;
 
+/// About a million, and short in binary.
+const FAR: i64 = 1 << 20;
+
 type Parts = Vec<(Rational, Matrix<Rational>, Matrix<Rational>)>;
 
-/// Two atoms and a slab around the origin, in halves.
-fn parts(n: usize) -> Parts {
-    let column = |of: fn(i64) -> i64| Matrix::from_fn(n, 1, |i, _| ratio(of(i64::try_from(i).unwrap()), 2));
+/// Two atoms and a slab, in halves, around the point with these entries.
+fn parts(n: usize, shift: i64) -> Parts {
+    let column =
+        |of: fn(i64) -> i64| Matrix::from_fn(n, 1, |i, _| ratio(of(i64::try_from(i).unwrap()), 2) + ratio(shift, 1));
     let zero = Matrix::zeros(n, n);
     vec![
         (ratio(1, 4), column(|i| i - 1), zero.clone()),
@@ -120,7 +124,14 @@ proptest! {
     /// SM-4.2, SM-4.3, SM-4.31: on random systems.
     #[test]
     fn as_good_as_the_data_allow(path in systems::paths(Timing::Departing)) {
-        let parts = parts(path.states());
+        let parts = parts(path.states(), 0);
+        keeps_the_digits(&path, &parts, &exact(&path, &parts))?;
+    }
+
+    /// SM-4.2, SM-4.3: and where start and readings are a million away from the origin.
+    #[test]
+    fn far_from_the_origin_as_well(path in systems::moved_paths(Timing::Departing, FAR)) {
+        let parts = parts(path.states(), FAR);
         keeps_the_digits(&path, &parts, &exact(&path, &parts))?;
     }
 }

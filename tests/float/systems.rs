@@ -37,6 +37,11 @@ fn per_step(
 ///
 /// R and P₀ are at least I and ‖A‖ is at most 3/2: S has a condition number below about 10⁴.
 pub(crate) fn paths(timing: Timing) -> impl Strategy<Value = Path<Rational>> {
+    moved_paths(timing, 0)
+}
+
+/// The same with readings as if each entry of the first state were larger by this.
+pub(crate) fn moved_paths(timing: Timing, shift: i64) -> impl Strategy<Value = Path<Rational>> {
     (1usize..=3, 1usize..=3, 1usize..=4, any::<bool>()).prop_flat_map(move |(n, m, steps, early)| {
         let initial = (matrix(n, 1, 8, 2), matrix(n, n, 2, 2));
         let dynamics = (per_step(steps, n, n, 2, 4), per_step(steps, m, n, 4, 4));
@@ -45,6 +50,18 @@ pub(crate) fn paths(timing: Timing) -> impl Strategy<Value = Path<Rational>> {
         let readings = vec(vec(weighted(0.75, (-40i64..40).prop_map(|value| ratio(value, 4))), m), steps);
         (initial, dynamics, noise, inputs, readings).prop_map(move |parts| {
             let ((mean, root), (a, c), (d, f), (u, g, v), readings) = parts;
+            let mut moved = Matrix::from_fn(n, 1, |_, _| ratio(shift, 1));
+            let readings: Vec<Vec<Option<Rational>>> = (readings.into_iter().zip(a.iter().zip(&c)))
+                .map(|(reading, (a, c))| {
+                    let seen = c * &moved;
+                    moved = a * &moved;
+                    reading
+                        .into_iter()
+                        .zip(seen.entries())
+                        .map(|(value, more)| value.map(|value| value + more))
+                        .collect()
+                })
+                .collect();
             let before = if timing == Timing::Arriving && early { Before::Transition } else { Before::Observation };
             let covariance = &root * root.transpose() + Matrix::identity(n);
             // The own noise [0 I] of each sensor beside the two shared sources keeps S away from singular.
