@@ -21,7 +21,7 @@ export PROPTEST_MAX_SHRINK_ITERS=0
 # The files that are there, committed or not; build products are ignored ones.
 mkdir "$tree"
 (cd "$root" && git ls-files -co --exclude-standard -z | tar --null --ignore-failed-read -cf - -T - 2>/dev/null) \
-    | (cd "$tree" && tar xf -)
+    | (cd "$tree" && tar xmf -)
 
 # `tests COMMAND-LINE`: the result of the tests on the tree as it is, written to $work/log.
 tests() (
