@@ -22,7 +22,7 @@ impl Dice {
     }
 
     fn entry(&mut self) -> Rational {
-        ratio(i64::try_from(self.below(5)).unwrap() - 2, 1)
+        ratio(i64::try_from(self.below(5)).expect("small") - 2, 1)
     }
 
     fn matrix(&mut self, rows: usize, columns: usize) -> Q {
@@ -46,7 +46,7 @@ struct Model {
 impl Model {
     /// The classes are dealt out by the remainders of the number, so that all combinations occur.
     fn new(number: usize) -> Self {
-        let mut dice = Dice(u64::try_from(number).unwrap() + 77);
+        let mut dice = Dice(u64::try_from(number).expect("small") + 77);
         let (n, k, count) = (1 + number % 3, 1 + number / 3 % 3, 1 + number * 7 % 10);
         let (singular, nilpotent, shared) = (number.is_multiple_of(2), number % 4 == 1, !number.is_multiple_of(5));
         let (blind, gaps, degenerate) = (number % 3 == 1, number % 7 < 3, number % 11 < 7);
@@ -66,7 +66,7 @@ impl Model {
             let of_sensors = if shared && !singular { dice.matrix(n, k) } else { zero(n, k) };
             model.plant.push(triangle.beside(&of_sensors));
             let leaked = if shared { dice.matrix(k, own) } else { zero(k, own) };
-            let diagonal = 1 + i64::try_from(dice.below(2)).unwrap();
+            let diagonal = 1 + i64::try_from(dice.below(2)).expect("small");
             let own_noise = Matrix::from_fn(k, k, |i, j| ratio(if i == j { diagonal } else { i64::from(i > j) }, 1));
             model.sensors.push(leaked.beside(&own_noise));
             let entries = (0..k).map(|_| (!gaps || dice.below(3) > 0).then(|| dice.entry()));
@@ -109,7 +109,7 @@ impl Model {
     fn law(&self) -> InitialLaw<Rational> {
         let component = |(weight, mean, covariance): &(Rational, Q, Q)| Component {
             weight: weight.clone(),
-            law: Gaussian::new(mean.clone(), covariance.clone()).unwrap(),
+            law: Gaussian::new(mean.clone(), covariance.clone()).expect("symmetric"),
         };
         InitialLaw::mixture(self.start.iter().map(component)).unwrap_or_else(|error| panic!("{error}"))
     }
@@ -254,7 +254,7 @@ fn one_joint_law_for_each_component() {
                         exponent: -&known.quadratic * ratio(1, 2),
                     },
                     initial: Gaussian::standard(model.n),
-                    state: Gaussian::new(known.mean.clone(), known.covariance.clone()).unwrap(),
+                    state: Gaussian::new(known.mean.clone(), known.covariance.clone()).expect("symmetric"),
                 })
                 .collect(),
         };

@@ -48,10 +48,10 @@ fn prediction_ends_with_the_lists() {
         let Coefficient::PerStep(values) = &mut longer.transition else { panic!("a list") };
         values.push(Some(Matrix::zeros(2, 3)));
         let reached = listed(timing, 2 + beyond).realised_ahead(&data, steps(3)).expect("a valid system");
-        assert_eq!(longer.realised_ahead(&data, steps(3)).unwrap(), reached);
+        assert_eq!(longer.realised_ahead(&data, steps(3)).expect("a valid system"), reached);
         assert_eq!(
-            longer.realised(&data).unwrap(),
-            *listed(timing, 2 + beyond).realised_ahead(&data, steps(1)).unwrap().path()
+            longer.realised(&data).expect("a valid system"),
+            *listed(timing, 2 + beyond).realised_ahead(&data, steps(1)).expect("a valid system").path()
         );
         let mut observed = listed(timing, 2);
         observed.observation = Coefficient::per_step([(); 3].map(|()| Matrix::identity(1)));

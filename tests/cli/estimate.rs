@@ -33,7 +33,7 @@ fn the_coin_in_proved_digits() {
 fn fractions_where_there_are_any() {
     // A Gaussian start: 0 and 1 as the filter has them in docs/PROTOCOL.md: mean 1/2 and variance 3/2 ahead of step 1.
     let gaussian = std::fs::read_to_string(COIN)
-        .unwrap()
+        .expect("JSON")
         .replace(r#"{"weight": "1/2", "mean": ["0"]},"#, "")
         .replace(r#"{"weight": "1/2", "mean": ["1"]}"#, r#"{"weight": "1", "mean": ["0"], "covariance": [["1"]]}"#)
         .replace(r#""observation": [["2"]]"#, r#""observation": [["1"]]"#);
@@ -56,7 +56,7 @@ fn fractions_where_there_are_any() {
 fn the_price() {
     // ξ = ±1 through noise of variance 1: E(tanh Y − Y/2)² = 0.0504004907933….
     let coin = std::fs::read_to_string(COIN)
-        .unwrap()
+        .expect("JSON")
         .replace(r#""mean": ["0"]"#, r#""mean": ["-1"]"#)
         .replace(r#""observation": [["2"]]"#, r#""observation": [["1"]]"#);
     let out = feed(&["estimate", "-", "--price", "--digits", "12"], &coin).quietly(0);
@@ -66,7 +66,10 @@ fn the_price() {
     let (few, many) = (slab("3"), slab("10"));
     let [few, many] = [&few, &many].map(|out| value(out, "price of linearity"));
     assert!(many.len() > few.len() && few.len() > 3, "{few} {many}");
-    assert!((few.parse::<f64>().unwrap() / many.parse::<f64>().unwrap() - 1.0).abs() < 0.005, "{few} {many}");
+    assert!(
+        (few.parse::<f64>().expect("a number") / many.parse::<f64>().expect("a number") - 1.0).abs() < 0.005,
+        "{few} {many}"
+    );
 }
 
 #[test]
@@ -91,12 +94,13 @@ fn three_directions_are_simulated_and_say_so() {
 #[test]
 fn json_has_the_same_texts() {
     let out = run(&["estimate", SLAB, "--format", "json", "--digits", "20"]).quietly(0);
-    let answer: Value = serde_json::from_str(&out).unwrap();
+    let answer: Value = serde_json::from_str(&out).expect("JSON");
     let text = run(&["estimate", SLAB, "--digits", "20", "--last"]).quietly(0);
     let last = &answer["steps"][2];
     assert_eq!((answer["id"].as_str(), last["step"].as_i64()), (Some("slab"), Some(2)));
     let row = |value: &Value| {
-        let entries: Vec<&str> = value.as_array().unwrap().iter().map(|entry| entry.as_str().unwrap()).collect();
+        let entries: Vec<&str> =
+            value.as_array().expect("a list").iter().map(|entry| entry.as_str().expect("a string")).collect();
         format!("[{}]", entries.join(", "))
     };
     for (key, quantity) in [("mmse", "best estimate"), ("lmmse", "best affine estimate"), ("weights", "probabilities")]
@@ -108,7 +112,7 @@ fn json_has_the_same_texts() {
 
 #[test]
 fn refusals_name_the_place() {
-    let coin = std::fs::read_to_string(COIN).unwrap();
+    let coin = std::fs::read_to_string(COIN).expect("an example");
     let refusal = |from: &str, to: &str| {
         assert!(coin.contains(from));
         feed(&["estimate", "-"], &coin.replacen(from, to, 1)).trouble()
@@ -155,8 +159,8 @@ fn refusals_name_the_place() {
 fn still_coin(values: &[&str]) -> String {
     let component = |value: &&str| format!(r#"{{"weight": "1/{}", "mean": ["{value}"]}}"#, values.len());
     let components: Vec<String> = values.iter().map(component).collect();
-    let mut case: Value = serde_json::from_str(&std::fs::read_to_string(COIN).unwrap()).unwrap();
-    case["initial_law"] = serde_json::from_str(&format!("[{}]", components.join(", "))).unwrap();
+    let mut case: Value = serde_json::from_str(&std::fs::read_to_string(COIN).expect("an example")).expect("JSON");
+    case["initial_law"] = serde_json::from_str(&format!("[{}]", components.join(", "))).expect("JSON");
     case["noise"]["process"] = serde_json::json!([["0"]]);
     case.to_string()
 }
@@ -164,7 +168,7 @@ fn still_coin(values: &[&str]) -> String {
 #[test]
 fn digits_of_any_size() {
     // exp(−(10⁶ − 1)²/4 + 1/4), by mpmath.
-    let far = std::fs::read_to_string(COIN).unwrap().replace(r#""mean": ["1"]"#, r#""mean": ["1000000"]"#);
+    let far = std::fs::read_to_string(COIN).expect("an example").replace(r#""mean": ["1"]"#, r#""mean": ["1000000"]"#);
     let out = feed(&["estimate", "-", "--digits", "30"], &far).quietly(0);
     assert_eq!(value(&out, "best estimate"), "2.67913571025738870778588971739e-108573403323");
     assert_eq!(value(&out, "probabilities"), "[1, 2.67913571025738870778588971739e-108573403329]");
@@ -204,12 +208,12 @@ fn exact_marks_what_is_rounded() {
     assert_eq!(value(&out, "best estimate"), "[3.8157896271353792…, 0.64245625492774981…]");
     assert_eq!(value(&out, "best affine estimate"), "[952/229, 411/458]");
     let json = run(&["estimate", SLAB, "--exact", "--last", "--format", "json"]).quietly(0);
-    let answer: Value = serde_json::from_str(&json).unwrap();
+    let answer: Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!(answer["steps"][0]["mmse"], serde_json::json!(["3.8157896271353792…", "0.64245625492774981…"]));
     let help = run(&["estimate", "--help"]).quietly(0);
     assert!(help.contains("followed by `…`") && help.contains("unknown (…)"), "{help}");
-    let schema: Value = serde_json::from_str(OUTPUT).unwrap();
-    assert!(schema["$defs"]["number"]["description"].as_str().unwrap().contains('…'));
+    let schema: Value = serde_json::from_str(OUTPUT).expect("JSON");
+    assert!(schema["$defs"]["number"]["description"].as_str().expect("a string").contains('…'));
 }
 
 #[test]
@@ -225,7 +229,7 @@ fn digits_of_another_program() {
         assert!(out.contains(digits), "{digits}: {out}");
     }
     // 300 atoms, which must not take the square of their number.
-    let mut case: Value = serde_json::from_str(&std::fs::read_to_string(COIN).unwrap()).unwrap();
+    let mut case: Value = serde_json::from_str(&std::fs::read_to_string(COIN).expect("an example")).expect("JSON");
     let atom = |i: u32| serde_json::json!({"weight": "1/300", "mean": [(i * 7 % 300).to_string()]});
     case["initial_law"] = (0..300).map(atom).collect();
     case["observations"] = serde_json::json!([["3"]]);
@@ -238,9 +242,9 @@ fn digits_of_another_program() {
 #[test]
 fn the_forms_of_a_price_are_told() {
     let help = run(&["estimate", "--help"]).quietly(0);
-    let schema: Value = serde_json::from_str(OUTPUT).unwrap();
+    let schema: Value = serde_json::from_str(OUTPUT).expect("JSON");
     let price = &schema["properties"]["steps"]["items"]["properties"]["price"]["description"];
-    for text in [&help, price.as_str().unwrap(), include_str!("../../docs/ESTIMATE.md")] {
+    for text in [&help, price.as_str().expect("a string"), include_str!("../../docs/ESTIMATE.md")] {
         assert!(text.contains("from … to …") && text.contains("unsupported (") && text.contains("simulat"), "{text}");
     }
     assert!(!help.contains("Every digit is proved"));
@@ -249,14 +253,15 @@ fn the_forms_of_a_price_are_told() {
 /// Every key of the output, and nothing else, is in its schema; required are all but the price.
 #[test]
 fn the_output_has_its_schema() {
-    let schema: Value = serde_json::from_str(OUTPUT).unwrap();
-    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<BTreeSet<_>>();
+    let schema: Value = serde_json::from_str(OUTPUT).expect("JSON");
+    let keys = |value: &Value| value.as_object().expect("an object").keys().cloned().collect::<BTreeSet<_>>();
     let required = |schema: &Value| {
-        let names = schema["required"].as_array().unwrap().iter();
-        names.map(|name| name.as_str().unwrap().to_owned()).collect::<BTreeSet<_>>()
+        let names = schema["required"].as_array().expect("a list").iter();
+        names.map(|name| name.as_str().expect("a string").to_owned()).collect::<BTreeSet<_>>()
     };
     let answer = |arguments: &[&str]| -> Value {
-        serde_json::from_str(&run(&[&["estimate", COIN, "--format", "json"], arguments].concat()).quietly(0)).unwrap()
+        serde_json::from_str(&run(&[&["estimate", COIN, "--format", "json"], arguments].concat()).quietly(0))
+            .expect("JSON")
     };
     let step = &schema["properties"]["steps"]["items"];
     let plain = answer(&[]);

@@ -31,11 +31,17 @@ fn every_item_of_a_paper_is_listed() {
 fn a_line_tells_how_an_item_is_held() {
     let printed = run(&["spec", "CKS"]).quietly(0);
     let line = printed.lines().find(|line| line.starts_with("CKS-R ")).expect("an item");
-    let page = include_str!("../../SPEC.md").split("\n### CKS-R ").nth(1).unwrap().split("\n### ").next().unwrap();
+    let page = include_str!("../../SPEC.md")
+        .split("\n### CKS-R ")
+        .nth(1)
+        .expect("there")
+        .split("\n### ")
+        .next()
+        .expect("there");
     assert!(page.contains("[`trace::Record`]"));
     let words: Vec<&str> = line.split_whitespace().collect();
     assert_eq!(words[1], "implemented");
-    let named = page.split("\nTests: ").nth(1).unwrap().matches('`').count() / 2;
+    let named = page.split("\nTests: ").nth(1).expect("there").matches('`').count() / 2;
     assert_eq!(words[2], named.to_string());
     assert!(line.ends_with("Predicted covariance · trace::Record"), "{line}");
 }

@@ -19,8 +19,9 @@ type Parts = Vec<(Rational, Matrix<Rational>, Matrix<Rational>)>;
 
 /// Two atoms and a slab, in halves, around the point with these entries.
 fn parts(n: usize, shift: i64) -> Parts {
-    let column =
-        |of: fn(i64) -> i64| Matrix::from_fn(n, 1, |i, _| ratio(of(i64::try_from(i).unwrap()), 2) + ratio(shift, 1));
+    let column = |of: fn(i64) -> i64| {
+        Matrix::from_fn(n, 1, |i, _| ratio(of(i64::try_from(i).expect("small")), 2) + ratio(shift, 1))
+    };
     let zero = Matrix::zeros(n, n);
     vec![
         (ratio(1, 4), column(|i| i - 1), zero.clone()),
@@ -37,28 +38,28 @@ type Groups = [Vec<Rational>; 5];
 fn exact(path: &Path<Rational>, parts: &Parts) -> Groups {
     let component = |(weight, mean, covariance): &(Rational, Matrix<Rational>, Matrix<Rational>)| Component {
         weight: weight.clone(),
-        law: Gaussian::new(mean.clone(), covariance.clone()).unwrap(),
+        law: Gaussian::new(mean.clone(), covariance.clone()).expect("symmetric"),
     };
-    let law = InitialLaw::mixture(parts.iter().map(component)).unwrap();
-    let now = statistics(path).unwrap().pop().unwrap();
+    let law = InitialLaw::mixture(parts.iter().map(component)).expect("a law");
+    let now = statistics(path).expect("noisy").pop().expect("not empty");
     let (posterior, linear) = (now.posterior(&law), now.linear(&law));
     let number = |found: &Enclosed| match found {
         Enclosed::Exact(value) => value.clone(),
         // The width is no more than 2^−80 of the value.
-        Enclosed::Between(interval) => interval.lower().value().unwrap(),
+        Enclosed::Between(interval) => interval.lower().value().expect("short"),
     };
     let numbers = |found: &[Enclosed]| found.iter().map(number).collect::<Vec<_>>();
     [
-        numbers(&posterior.mean(80).unwrap()),
+        numbers(&posterior.mean(80).expect("enclosed")),
         linear.estimate.entries().to_vec(),
-        numbers(&posterior.weights(80).unwrap()),
-        numbers(posterior.covariance(80).unwrap().entries()),
-        numbers(&posterior.difference(&linear, 80).unwrap()),
+        numbers(&posterior.weights(80).expect("enclosed")),
+        numbers(posterior.covariance(80).expect("enclosed").entries()),
+        numbers(&posterior.difference(&linear, 80).expect("enclosed")),
     ]
 }
 
 fn double(found: &MixtureEstimate) -> Groups {
-    let exact = |entries: &[f64]| entries.iter().map(|&x| Rational::from_float(x).unwrap()).collect();
+    let exact = |entries: &[f64]| entries.iter().map(|&x| Rational::from_float(x).expect("finite")).collect();
     [
         found.mean.entries(),
         found.linear.entries(),
@@ -73,12 +74,12 @@ fn double(found: &MixtureEstimate) -> Groups {
 fn moved(value: &Rational, seed: u64) -> Rational {
     let hash =
         value.to_string().bytes().fold(seed, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
-    let direction = i64::try_from((hash >> 20) % 3).unwrap() - 1;
+    let direction = i64::try_from((hash >> 20) % 3).expect("small") - 1;
     value + value * Rational::new(BigInt::from(direction), BigInt::from(1) << 53)
 }
 
 fn largest(values: impl Iterator<Item = Rational>) -> f64 {
-    values.map(|value| value.to_f64().unwrap().abs()).fold(0.0, f64::max)
+    values.map(|value| value.to_f64().expect("a double").abs()).fold(0.0, f64::max)
 }
 
 /// The largest error in each group.
@@ -101,13 +102,13 @@ fn keeps_the_digits(path: &Path<Rational>, parts: &Parts, truth: &Groups) -> Res
     let double_parts: Vec<_> = parts
         .iter()
         .map(|(weight, mean, covariance)| MixturePart {
-            weight: weight.to_f64().unwrap(),
-            mean: mean.map(|value| value.to_f64().unwrap()),
-            covariance: covariance.map(|value| value.to_f64().unwrap()),
+            weight: weight.to_f64().expect("a double"),
+            mean: mean.map(|value| value.to_f64().expect("a double")),
+            covariance: covariance.map(|value| value.to_f64().expect("a double")),
         })
         .collect();
     let mut all = estimate_mixture(&systems::doubles(path), &double_parts).expect("a regular system");
-    let found = all.pop().unwrap();
+    let found = all.pop().expect("not empty");
     prop_assert_eq!(found.covariance.asymmetry(), None);
     for (group, error) in errors(&double(&found), truth).into_iter().enumerate() {
         let scaled = if group == 4 { [&truth[0][..], &truth[1]].concat() } else { truth[group].clone() };

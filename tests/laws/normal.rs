@@ -9,9 +9,10 @@ fn phi(x: &Rational, bits: u64) -> Interval {
 
 /// Whether the interval lies between the decimal 0.digits·10^(−zeros) and the next one.
 fn has_digits(found: &Interval, digits: &str, zeros: u32) -> bool {
-    let unit = Rational::new(BigInt::from(1), BigInt::from(10).pow(zeros + u32::try_from(digits.len()).unwrap()));
-    let value = Rational::from(digits.parse::<BigInt>().unwrap()) * &unit;
-    let [lower, upper] = [found.lower(), found.upper()].map(|end| end.value().unwrap());
+    let unit =
+        Rational::new(BigInt::from(1), BigInt::from(10).pow(zeros + u32::try_from(digits.len()).expect("small")));
+    let value = Rational::from(digits.parse::<BigInt>().expect("digits")) * &unit;
+    let [lower, upper] = [found.lower(), found.upper()].map(|end| end.value().expect("short"));
     value <= lower && lower <= upper && upper <= value + unit
 }
 
@@ -29,7 +30,7 @@ fn digits_of_an_outside_program() {
             assert!(has_digits(&phi(&x, bits), digits, zeros), "{x}: {:?}", phi(&x, bits));
         }
     }
-    let root = Interval::normal_distribution_of_root(false, &ratio(2, 1), 170).unwrap();
+    let root = Interval::normal_distribution_of_root(false, &ratio(2, 1), 170).expect("enclosed");
     assert!(has_digits(&root, "9213503964748574346706103175413046296480", 0), "{root:?}");
 }
 
@@ -48,7 +49,7 @@ fn symmetric_increasing_narrow() {
         for step in -120..=120 {
             let x = ratio(step, 8);
             let (here, there) = (phi(&x, bits), phi(&-&x, bits));
-            assert!(relative_width(&here, i64::try_from(bits).unwrap()), "{x} {here:?}");
+            assert!(relative_width(&here, i64::try_from(bits).expect("small")), "{x} {here:?}");
             let sum = here.plus(&there, 200);
             assert!(*sum.lower() <= Dyadic::one() && Dyadic::one() <= *sum.upper());
             if let Some(before) = before.filter(|_| step.abs() < 24) {
@@ -64,8 +65,8 @@ fn symmetric_increasing_narrow() {
 fn the_two_formulas_agree() {
     for square in [17, 20, 50, 99, 150] {
         for negative in [true, false] {
-            let few = Interval::normal_distribution_of_root(negative, &ratio(square, 1), 16).unwrap();
-            let many = Interval::normal_distribution_of_root(negative, &ratio(square, 1), 200).unwrap();
+            let few = Interval::normal_distribution_of_root(negative, &ratio(square, 1), 16).expect("enclosed");
+            let many = Interval::normal_distribution_of_root(negative, &ratio(square, 1), 200).expect("enclosed");
             assert!(few.lower() <= many.lower() && many.upper() <= few.upper(), "{square}");
         }
     }

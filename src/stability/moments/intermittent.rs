@@ -56,7 +56,7 @@ impl Mode<Rational> {
     /// let mode = Mode::new(scalar(ratio(2, 1)), scalar(ratio(1, 1)), scalar(ratio(1, 1)), scalar(ratio(1, 1)))?;
     /// // 1 − 1/f² = 3/4
     /// let found = mode.critical_arrival(&ratio(1, 100)).expect("a positive width");
-    /// let ((lower, _), (upper, _)) = (found.unbounded.unwrap(), found.bounded.unwrap());
+    /// let ((lower, _), (upper, _)) = (found.unbounded.expect("F is unstable"), found.bounded.expect("H is invertible"));
     /// assert!(lower <= ratio(3, 4) && ratio(3, 4) <= upper && upper - lower < ratio(1, 50));
     /// # Ok::<(), exact_kalman::stability::ModeError<Rational>>(())
     /// ```

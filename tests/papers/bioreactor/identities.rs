@@ -218,7 +218,8 @@ fn large_exponents_do_not_overflow() {
     for beta in [150.0, 200.0, 250.0, 1e6] {
         let mut reactor = Setting::printed(Exponent::Natural(1), 1).doubles().reactor;
         reactor.exponent = Exponent::Real(beta);
-        let [rate, slope] = [reactor.growth_rate(&30.0).unwrap(), reactor.growth_slope(&30.0).unwrap()];
+        let [rate, slope] =
+            [reactor.growth_rate(&30.0).expect("defined there"), reactor.growth_slope(&30.0).expect("defined there")];
         assert!((0.0..1e-200).contains(&rate) && (-1e-200..=0.0).contains(&slope), "{beta}: {rate}, {slope}");
         assert!(reactor.growth_rate(&f64::INFINITY).is_err() && reactor.growth_slope(&f64::NAN).is_err());
     }

@@ -127,7 +127,8 @@ fn the_reactor_is_known_in_time() {
     // A delay of one is not known three steps ahead, and what is missing is said.
     let setting = Setting::printed(Exponent::Natural(1), 1);
     let data: Vec<_> = readings(&setting, 5).into_iter().map(|y| Observation::complete([y])).collect();
-    let error = system(&setting, &Preset::Repaired.start(1).standard).realised_ahead(&data, NonZero::new(3).unwrap());
+    let error =
+        system(&setting, &Preset::Repaired.start(1).standard).realised_ahead(&data, NonZero::new(3).expect("not zero"));
     assert!(matches!(error, Err(ModelError::Infinite { source: Undefined::Missing, .. })), "{error:?}");
 }
 

@@ -286,9 +286,9 @@ fn digits_of_an_outside_program() {
     let (_, posterior) = mixed();
     let near = |found: &Interval, digits: &str| {
         let (whole, rest) = digits.split_once('.').expect("a decimal");
-        let unit = Rational::new(BigInt::from(1), BigInt::from(10).pow(u32::try_from(rest.len()).unwrap()));
-        let value = Rational::from(format!("{whole}{rest}").parse::<BigInt>().unwrap()) * &unit;
-        let [lower, upper] = [found.lower(), found.upper()].map(|end| end.value().unwrap());
+        let unit = Rational::new(BigInt::from(1), BigInt::from(10).pow(u32::try_from(rest.len()).expect("small")));
+        let value = Rational::from(format!("{whole}{rest}").parse::<BigInt>().expect("digits")) * &unit;
+        let [lower, upper] = [found.lower(), found.upper()].map(|end| end.value().expect("short"));
         assert!(&value - &unit <= lower && upper <= value + unit, "{digits}");
     };
     let power =

@@ -84,9 +84,9 @@ fn decimal(text: &str) -> [Rational; 2] {
     let digits = text.strip_prefix("0.").expect("below one");
     let value = Rational::new(
         digits.parse::<BigInt>().expect("digits"),
-        BigInt::from(10).pow(u32::try_from(digits.len()).unwrap()),
+        BigInt::from(10).pow(u32::try_from(digits.len()).expect("small")),
     );
-    let unit = Rational::new(BigInt::from(1), BigInt::from(10).pow(u32::try_from(digits.len()).unwrap()));
+    let unit = Rational::new(BigInt::from(1), BigInt::from(10).pow(u32::try_from(digits.len()).expect("small")));
     [&value - &unit, value + unit]
 }
 
@@ -167,7 +167,7 @@ fn independent_coins_add() {
         let sides = 1_i64 << n;
         let corner = |i: i64| (ratio(1, sides), Matrix::from_fn(n, 1, |row, _| ratio(2 * (i >> row & 1) - 1, 1)));
         let law = InitialLaw::atoms((0..sides).map(corner)).expect("a law");
-        let times = ratio(i64::try_from(n).unwrap(), 1);
+        let times = ratio(i64::try_from(n).expect("small"), 1);
         let expected = [&lower * &times, &upper * &times];
         let found = now.price_of_linearity(&law, 40);
         if n == 2 {

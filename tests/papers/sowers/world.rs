@@ -78,13 +78,13 @@ impl World {
     pub fn random(seed: u64, noises: Noises) -> Self {
         let mut dice = Dice(seed);
         dice.below(2);
-        let [n, k, count] = [3, 2, 4].map(|most| 1 + usize::try_from(dice.below(most)).unwrap());
-        let r = 1 + usize::try_from(dice.below(2)).unwrap();
+        let [n, k, count] = [3, 2, 4].map(|most| 1 + usize::try_from(dice.below(most)).expect("small"));
+        let r = 1 + usize::try_from(dice.below(2)).expect("small");
         let steps = (0..count).map(|_| {
             let standard = noises == Noises::Standard;
             // A triangle with a diagonal of 1, 2 or 3 makes Σᵛ regular.
             let triangle = Matrix::from_fn(k, k, |i, j| match (i == j, standard) {
-                (true, false) => ratio(1 + i64::try_from(dice.below(3)).unwrap(), 1),
+                (true, false) => ratio(1 + i64::try_from(dice.below(3)).expect("small"), 1),
                 (true, true) => ratio(1, 1),
                 _ => ratio(0, 1),
             });
