@@ -7,9 +7,9 @@
 #[allow(dead_code, reason = "the property tests use more of it")]
 mod systems;
 
-use exact_kalman::filter::{Precision, filter, filter_fraction_free, one_shot};
+use exact_kalman::filter::{Effort, Route, filter, filter_rational, one_shot};
 use exact_kalman::model::{Path, Timing};
-use exact_kalman::scalar::{Mersenne61, Rational};
+use exact_kalman::scalar::{Mersenne61, Precision, Rational};
 use exact_kalman::trace::{Quantity, Trace};
 
 use systems::Kind;
@@ -67,9 +67,16 @@ fn compare_with_joint_law(path: &Path<Rational>, trace: &Trace<Rational>) {
 }
 
 fn compare_with_integers(path: &Path<Rational>, trace: &Trace<Rational>) {
-    let steps = filter_fraction_free(path, Precision::Exact).unwrap_or_else(|error| panic!("integers: {error}"));
+    for route in [Route::FractionFree, Route::Multimodular] {
+        compare_with_route(path, trace, Effort { route, ..Effort::default() });
+    }
+}
+
+fn compare_with_route(path: &Path<Rational>, trace: &Trace<Rational>, effort: Effort) {
+    let steps = filter_rational(path, effort).unwrap_or_else(|error| panic!("integers: {error}"));
     assert_eq!(steps.len(), trace.records.len());
     for (step, record) in steps.iter().zip(&trace.records) {
+        let step = step.fractions(Precision::Exact);
         let mut values = record.values();
         values.remove(&Quantity::Gain);
         assert_eq!((&step.values, step.innovation_rank), (&values, record.innovation_rank));

@@ -1,11 +1,11 @@
 //! What `solve` shows of a case: the values of each step, by name.
 
 use crate::filter::{
-    FilterError, FractionFreeError, FractionFreeStep, Precision, StepAhead, filter, filter_fraction_free, predict_ahead,
+    Effort, FilterError, RationalFilterError, RationalStep, StepAhead, filter, filter_rational, predict_ahead,
 };
 use crate::matrix::Matrix;
 use crate::model::{Path, PathAhead};
-use crate::scalar::Rational;
+use crate::scalar::{Precision, Rational};
 use crate::trace::{Moments, Quantity, Record, Values};
 
 /// What is shown of a step.
@@ -23,11 +23,15 @@ pub(super) struct Stopped {
 
 /// The filter, by its fast route.
 pub(super) fn solved(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {
-    let show = |step: FractionFreeStep| Shown { values: step.values, more: Vec::new(), ahead: Vec::new() };
-    match filter_fraction_free(path, Precision::Exact) {
-        Ok(steps) => (steps.into_iter().map(show).collect(), None),
-        Err(FractionFreeError { step, reason, computed }) => {
-            (computed.into_iter().map(show).collect(), Some(Stopped { step, reason: reason.to_string() }))
+    let show = |step: &RationalStep| Shown {
+        values: step.fractions(Precision::Exact).values,
+        more: Vec::new(),
+        ahead: Vec::new(),
+    };
+    match filter_rational(path, Effort::default()) {
+        Ok(steps) => (steps.iter().map(show).collect(), None),
+        Err(RationalFilterError { step, reason, computed }) => {
+            (computed.iter().map(show).collect(), Some(Stopped { step, reason: reason.to_string() }))
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! * [`filter`] is the recursion of the Theorem, CKS (3)–(4), as one reads it, over any scalar;
 //! * [`one_shot`] conditions the joint Gaussian of (x_0, w_1, …, w_T) once: slow, one formula, no recursion;
-//! * [`filter_fraction_free`] is a fast route for the rationals: integer matrices over one denominator.
+//! * [`filter_rational`] is a fast route for the rationals: integer matrices over one denominator.
 //!
 //! [`predict_ahead`] looks d steps ahead, and [`one_shot_ahead`] is its second route.
 //!
@@ -14,14 +14,16 @@
 mod ahead;
 mod diffuse;
 mod error;
-mod fraction_free;
 mod one_shot;
+mod rational;
 mod recursion;
 mod series;
 mod update;
 
 pub use ahead::{StepAhead, TraceAhead, predict_ahead};
 pub use error::FilterError;
-pub use fraction_free::{Effort, FractionFreeError, FractionFreeStep, Precision, StopReason, filter_fraction_free};
 pub use one_shot::{OneShot, one_shot, one_shot_ahead};
+pub use rational::{
+    Effort, RationalFilter, RationalFilterError, RationalStep, Route, StepValues, StopReason, Wanted, filter_rational,
+};
 pub use recursion::filter;

@@ -64,6 +64,7 @@ pub fn filter<S: Scalar>(path: &Path<S>) -> Result<Trace<S>, FilterError<S>> {
 type Advanced<S> = (Record<S>, Option<Moments<S>>);
 
 /// The filter between two observations.
+#[derive(Debug)]
 pub(super) struct Recursion<S> {
     timing: Timing,
     /// In departing timing the law of the next state; in arriving timing that of the last one.

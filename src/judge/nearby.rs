@@ -5,10 +5,10 @@
 //! few steps: far less than the data were moved, even where numbers cancel that lie as far apart as doubles can.
 
 use super::reference::BITS;
-use crate::filter::{Effort, FractionFreeStep, Precision, filter_fraction_free};
+use crate::filter::{Effort, RationalFilter, RationalStep, StepValues};
 use crate::model::{Before, Initial, Path, Timing};
-use crate::scalar::Rational;
-use crate::trace::{Quantity, Values};
+use crate::scalar::{Precision, Rational};
+use crate::trace::Quantity;
 
 /// Bits of the state that are carried on.
 const CARRIED: u32 = 2048;
@@ -19,8 +19,8 @@ const STRETCH: usize = 4;
 /// The answer to a problem, up to where it has one.
 ///
 /// Numbers that outgrow `maximal_bits` before a diffuse start is resolved end it, too.
-pub(super) fn answer(path: &Path<Rational>, maximal_bits: Option<u64>) -> Vec<FractionFreeStep> {
-    let effort = Effort { precision: Precision::Rounded { bits: CARRIED }, maximal_bits };
+pub(super) fn answer(path: &Path<Rational>, maximal_bits: Option<u64>) -> Vec<StepValues> {
+    let effort = Effort { maximal_bits, ..Effort::default() };
     let steps = path.steps();
     let mut initial = path.initial().clone();
     let (mut done, mut length) = (Vec::with_capacity(steps.len()), STRETCH);
@@ -30,17 +30,16 @@ pub(super) fn answer(path: &Path<Rational>, maximal_bits: Option<u64>) -> Vec<Fr
         // A departing transition shows its effect in the step that follows it.
         let seen = if path.timing() == Timing::Departing { steps.len().min(end + 1) } else { end };
         let stretch = Path::from_parts(path.timing(), initial.clone(), steps[begin..seen].to_vec());
-        let (mut solved, stopped) = match filter_fraction_free(&stretch, effort) {
-            Ok(solved) => (solved, false),
-            Err(error) => (error.computed, true),
-        };
+        let carried = |step: RationalStep| step.fractions(Precision::Rounded { bits: CARRIED });
+        let mut solved: Vec<_> = RationalFilter::new(&stretch, effort).map_while(Result::ok).map(carried).collect();
+        let stopped = solved.len() < seen - begin;
         let next = if stopped || end == steps.len() { None } else { handed_on(&initial, path.timing(), &solved) };
         if next.is_none() && !stopped && end < steps.len() {
             length = length.saturating_mul(2);
             continue;
         }
         solved.truncate(end - begin);
-        done.extend(solved.into_iter().map(shortened));
+        done.extend(solved.into_iter().map(|step| step.rounded(Precision::Rounded { bits: BITS })));
         match next {
             Some(next) => initial = next,
             None => break,
@@ -50,7 +49,7 @@ pub(super) fn answer(path: &Path<Rational>, maximal_bits: Option<u64>) -> Vec<Fr
 }
 
 /// The belief with which the next stretch begins; nothing while a diffuse start is not resolved.
-fn handed_on(initial: &Initial<Rational>, timing: Timing, solved: &[FractionFreeStep]) -> Option<Initial<Rational>> {
+fn handed_on(initial: &Initial<Rational>, timing: Timing, solved: &[StepValues]) -> Option<Initial<Rational>> {
     let values = &solved.last()?.values;
     let (before, mean, covariance) = match timing {
         Timing::Arriving => (Before::Transition, Quantity::FilteredMean, Quantity::FilteredCovariance),
@@ -60,16 +59,10 @@ fn handed_on(initial: &Initial<Rational>, timing: Timing, solved: &[FractionFree
     Some(Initial { before, mean, covariance, diffuse: None, ..initial.clone() })
 }
 
-fn shortened(step: FractionFreeStep) -> FractionFreeStep {
-    let short = Precision::Rounded { bits: BITS };
-    let values: Values<Rational> =
-        step.values.into_iter().map(|(quantity, matrix)| (quantity, matrix.map(|entry| short.of(entry)))).collect();
-    FractionFreeStep { values, ..step }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::filter::filter_rational;
     use crate::judge::perturb::{Perturbation, Readings};
     use crate::judge::suite;
     use crate::protocol::Expect;
@@ -90,12 +83,11 @@ mod tests {
                 path.steps().iter().take(19).cloned().collect(),
             );
             let moved = Perturbation::seeded(7, Readings::Moved).of(&path);
-            let (rounded, exact) = (
-                answer(&moved, None),
-                filter_fraction_free(&moved, Precision::Rounded { bits: 400 }).expect("data as a model makes them"),
-            );
+            let (rounded, exact) =
+                (answer(&moved, None), filter_rational(&moved, Effort::default()).expect("data as a model makes them"));
             assert_eq!(rounded.len(), exact.len(), "{}", case.id);
             for (step, (rounded, exact)) in rounded.iter().zip(&exact).enumerate() {
+                let exact = exact.fractions(Precision::Rounded { bits: 400 });
                 assert_eq!(rounded.innovation_rank, exact.innovation_rank, "{} at step {step}", case.id);
                 assert!(rounded.values.keys().eq(exact.values.keys()), "{} at step {step}", case.id);
                 for (quantity, matrix) in &exact.values {

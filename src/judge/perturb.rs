@@ -9,10 +9,9 @@ use std::collections::HashMap;
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::filter::Precision;
 use crate::matrix::{Ldl, Matrix, Shape};
 use crate::model::{Initial, Observation, Path, Step, Transition};
-use crate::scalar::{Field as _, Rational, Scalar, ratio};
+use crate::scalar::{Field as _, Precision, Rational, Scalar, ratio};
 
 /// Bits kept of a moved datum: enough to hold the move, few enough to keep exact work cheap.
 const BITS: u32 = 64;

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::perturb::{Perturbation, Readings};
 use super::scale::Largest;
 use super::{Digits, Scale, digits, nearby};
-use crate::filter::{Effort, FractionFreeError, FractionFreeStep, Precision, StopReason, filter_fraction_free};
+use crate::filter::{Effort, RationalFilter, RationalFilterError, StepValues, StopReason};
 use crate::gaussian::ConditionError;
 use crate::model::Path;
-use crate::scalar::Rational;
+use crate::scalar::{Precision, Rational};
 use crate::trace::{Quantity, Values};
 
 /// Significant bits of the truth that digits are counted against: far more than 17 digits need.
@@ -22,7 +22,7 @@ const MAXIMAL_SIZE: u64 = 1 << 35;
 /// The effort that is made for a path.
 fn effort(path: &Path<Rational>) -> Effort {
     let dimensions = u64::try_from(path.states() + path.sensors()).unwrap_or(u64::MAX).max(1);
-    Effort { precision: Precision::Rounded { bits: BITS }, maximal_bits: Some((MAXIMAL_SIZE / dimensions).isqrt()) }
+    Effort { maximal_bits: Some((MAXIMAL_SIZE / dimensions).isqrt()), ..Effort::default() }
 }
 
 /// How many perturbed problems are solved.
@@ -56,16 +56,17 @@ impl Reference {
     ///
     /// # Errors
     ///
-    /// [`FractionFreeError`] if the exact numbers grow too long (2¹⁷ bits for one state and one sensor, less for more): the
+    /// [`RationalFilterError`] if the exact numbers grow too long (2¹⁷ bits for one state and one sensor, less for more): the
     /// truth is then unknown here.
-    pub fn of(path: &Path<Rational>) -> Result<Self, FractionFreeError> {
-        let (steps, contradiction) = match filter_fraction_free(path, effort(path)) {
-            Ok(steps) => (steps, None),
-            Err(FractionFreeError { step, reason: StopReason::Condition(reason), computed }) => {
-                (computed, Some((step, reason)))
+    pub fn of(path: &Path<Rational>) -> Result<Self, RationalFilterError> {
+        let (mut steps, mut contradiction) = (Vec::new(), None);
+        for step in RationalFilter::new(path, effort(path)) {
+            match step {
+                Ok(step) => steps.push(step.fractions(Precision::Rounded { bits: BITS })),
+                Err(StopReason::Condition(reason)) => contradiction = Some((steps.len(), reason)),
+                Err(reason) => return Err(RationalFilterError { step: steps.len(), reason, computed: Vec::new() }),
             }
-            Err(error) => return Err(error),
-        };
+        }
         let observed: Vec<Vec<usize>> = path.steps().iter().map(|step| step.reading.present()).collect();
         let ranks: Vec<usize> = steps.iter().map(|step| step.innovation_rank).collect();
         let singular = ranks.iter().zip(&observed).any(|(rank, observed)| *rank < observed.len());
@@ -106,15 +107,15 @@ impl Reference {
     }
 
     /// Whether an answer has the ranks of the exact one, and values at the same places.
-    fn is_alike(&self, answer: &[FractionFreeStep]) -> bool {
-        let alike = |(step, (values, rank)): (&FractionFreeStep, (&Values<Rational>, &usize))| {
+    fn is_alike(&self, answer: &[StepValues]) -> bool {
+        let alike = |(step, (values, rank)): (&StepValues, (&Values<Rational>, &usize))| {
             step.innovation_rank == *rank && step.values.keys().eq(values.keys())
         };
         answer.len() == self.values.len() && answer.iter().zip(self.values.iter().zip(&self.ranks)).all(alike)
     }
 
     /// The fewest digits that any of the answers has kept, and no more than `most`.
-    fn kept(&self, answers: &[Vec<FractionFreeStep>], most: Digits) -> Vec<BTreeMap<Quantity, Digits>> {
+    fn kept(&self, answers: &[Vec<StepValues>], most: Digits) -> Vec<BTreeMap<Quantity, Digits>> {
         let mut kept = self.everywhere(most);
         for (step, (kept, truth)) in kept.iter_mut().zip(&self.values).enumerate() {
             for (&quantity, kept) in kept {
@@ -129,7 +130,7 @@ impl Reference {
 }
 
 /// The answers to the perturbed problems, computed side by side; their order does not depend on that.
-fn perturbed_answers(path: &Path<Rational>, readings: Readings) -> Vec<Vec<FractionFreeStep>> {
+fn perturbed_answers(path: &Path<Rational>, readings: Readings) -> Vec<Vec<StepValues>> {
     let maximal_bits = effort(path).maximal_bits;
     let solve = |seed: u64| nearby::answer(&Perturbation::seeded(seed, readings).of(path), maximal_bits);
     let workers = std::thread::available_parallelism().map_or(1, usize::from).min(8);

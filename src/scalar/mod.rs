@@ -21,6 +21,7 @@ mod integer;
 mod interval;
 pub mod laws;
 mod normal;
+mod precision;
 mod rational;
 mod residue;
 
@@ -29,6 +30,7 @@ pub use exponential::{Exponentials, Overflow};
 pub use float::{exact_value, nearest_double, nearest_single};
 pub(crate) use integer::common_divisor;
 pub use interval::Interval;
+pub use precision::Precision;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};
 

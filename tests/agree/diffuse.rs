@@ -1,8 +1,6 @@
 //! The diffuse start against least squares, and against large finite variances.
 
-use exact_kalman::filter::{
-    Effort, FilterError, FractionFreeError, Precision, StopReason, filter, filter_fraction_free, one_shot,
-};
+use exact_kalman::filter::{Effort, FilterError, RationalFilterError, StopReason, filter, filter_rational, one_shot};
 use exact_kalman::gaussian::{ConditionError, Gaussian};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, ModelError, Noise, Observation, Path, System, Timing};
@@ -243,15 +241,12 @@ fn one_shot_refuses_a_diffuse_start() -> Result<(), Box<dyn std::error::Error>> 
 /// A diffuse start that no reading resolves, and an indefinite one, stop at the limit like all others.
 #[test]
 fn limits_hold_on_the_recursion_too() -> Result<(), Box<dyn std::error::Error>> {
-    let effort = Effort { precision: Precision::Exact, maximal_bits: Some(16 * 64) };
+    let effort = Effort { maximal_bits: Some(16 * 64), ..Effort::default() };
     for system in [scalar(true, 0, false), scalar(false, -3, true)] {
         let path = system.realised(&ones(400))?;
-        match filter_fraction_free(&path, effort) {
-            Err(FractionFreeError { step, reason: StopReason::TooLong { bits, limit: 64 }, computed }) => {
-                assert!(
-                    bits > 64 && (1..100).contains(&step) && computed.len() == step + 1,
-                    "{bits} bits at step {step}"
-                );
+        match filter_rational(&path, effort) {
+            Err(RationalFilterError { step, reason: StopReason::TooLong { bits, limit: 64 }, computed }) => {
+                assert!(bits > 64 && (1..100).contains(&step) && computed.len() == step, "{bits} bits at step {step}");
             }
             other => panic!("{other:?}"),
         }

@@ -1,7 +1,8 @@
 //! The integer kernel equals the recursion, value by value.
 
-use exact_kalman::filter::{FractionFreeError, Precision, StopReason, filter, filter_fraction_free};
-use exact_kalman::scalar::{Rational, Scalar, ratio};
+use exact_kalman::filter::{Effort, RationalFilterError, Route, StepValues, StopReason, filter, filter_rational};
+use exact_kalman::model::Path;
+use exact_kalman::scalar::{Precision, Rational, Scalar, ratio};
 use exact_kalman::trace::{Quantity, Values};
 use proptest::prelude::*;
 
@@ -15,6 +16,11 @@ fn without_gain(mut values: Values<Rational>) -> Values<Rational> {
     values
 }
 
+fn solved(path: &Path<Rational>, precision: Precision) -> Result<Vec<StepValues>, RationalFilterError> {
+    let effort = Effort { route: Route::FractionFree, ..Effort::default() };
+    Ok(filter_rational(path, effort)?.iter().map(|step| step.fractions(precision)).collect())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -23,7 +29,7 @@ proptest! {
     fn fraction_free_eq_recursion(draw in draws(KIND)) {
         let path = draw.system().realised(&draw.data()).map_err(|error| TestCaseError::fail(error.to_string()))?;
         let trace = filter(&path).map_err(|error| TestCaseError::fail(error.to_string()))?;
-        let fast = filter_fraction_free(&path, Precision::Exact).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let fast = solved(&path, Precision::Exact).map_err(|error| TestCaseError::fail(error.to_string()))?;
         prop_assert_eq!(fast.len(), trace.records.len());
         for (fast, record) in fast.into_iter().zip(&trace.records) {
             prop_assert_eq!(fast.values, without_gain(record.values()));
@@ -36,8 +42,8 @@ proptest! {
     fn rounded_is_near_exact(draw in draws(KIND), bits in 2u32..80) {
         let path = draw.system().realised(&draw.data()).map_err(|error| TestCaseError::fail(error.to_string()))?;
         let rounded = Precision::Rounded { bits };
-        let exact = filter_fraction_free(&path, Precision::Exact).map_err(|error| TestCaseError::fail(error.to_string()))?;
-        let near = filter_fraction_free(&path, rounded).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let exact = solved(&path, Precision::Exact).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let near = solved(&path, rounded).map_err(|error| TestCaseError::fail(error.to_string()))?;
         let unit = ratio(1, 2).pow(i32::try_from(bits).unwrap_or(80));
         for (exact, near) in exact.iter().zip(&near) {
             prop_assert!(exact.values.keys().eq(near.values.keys()));
@@ -60,10 +66,10 @@ proptest! {
         readings[step][(last, 0)] = readings[step][(last, 0)].plus(&ratio(shift, 7));
         let path = draw.system().realised(&draw.observations(&readings));
         let path = path.map_err(|error| TestCaseError::fail(error.to_string()))?;
-        match (filter(&path), filter_fraction_free(&path, Precision::Exact)) {
+        match (filter(&path), solved(&path, Precision::Exact)) {
             (Ok(trace), Ok(values)) => prop_assert_eq!(trace.records.len(), values.len()),
             (Err(slow), Err(fast)) => {
-                let FractionFreeError { step, reason, computed } = fast;
+                let RationalFilterError { step, reason, computed } = fast;
                 prop_assert_eq!((slow.step, StopReason::from(slow.source)), (step, reason));
                 prop_assert_eq!(slow.computed.len(), computed.len());
             }

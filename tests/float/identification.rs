@@ -7,12 +7,12 @@
 //! between. The repairs have a test of their own.
 #![cfg(feature = "judge")]
 
-use exact_kalman::filter::Precision;
 use exact_kalman::float;
 use exact_kalman::identify::{Belief, EstimatedModel, NoiseCovariances, Series, estimates};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Reading, Repair};
 use exact_kalman::reproduce::Stream;
+use exact_kalman::scalar::Precision;
 use exact_kalman::scalar::{Rational, exact_value, ratio};
 use nalgebra::{SMatrix, SVector};
 use num_traits::ToPrimitive;

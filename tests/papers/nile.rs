@@ -3,7 +3,7 @@
 //! Their variances are 15099 and 1469.1. Taken as decimals and as doubles, 1469.1 gives two different answers:
 //! both were computed independently of this crate, to 24 digits.
 
-use exact_kalman::filter::{Precision, filter, filter_fraction_free};
+use exact_kalman::filter::{Effort, filter, filter_rational};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, Path, System, Timing};
 use exact_kalman::scalar::{Rational, Scalar, ratio};
@@ -46,11 +46,10 @@ fn decimals(value: &Rational) -> String {
 
 fn last(path: &Path<Rational>) -> [String; 2] {
     let trace = filter(path).unwrap_or_else(|error| panic!("{error}"));
-    let fast = filter_fraction_free(path, Precision::Exact).unwrap_or_else(|error| panic!("{error}"));
+    let fast = filter_rational(path, Effort::default()).unwrap_or_else(|error| panic!("{error}"));
     let record = &trace.records[99];
-    let values = &fast[99].values;
-    assert_eq!(values[&Quantity::FilteredMean], record.filtered.mean);
-    assert_eq!(values[&Quantity::FilteredCovariance], record.filtered.covariance);
+    assert_eq!(fast[99].exactly(Quantity::FilteredMean).as_ref(), Some(&record.filtered.mean));
+    assert_eq!(fast[99].exactly(Quantity::FilteredCovariance).as_ref(), Some(&record.filtered.covariance));
     [decimals(&record.filtered.mean[(0, 0)]), decimals(&record.filtered.covariance[(0, 0)])]
 }
 

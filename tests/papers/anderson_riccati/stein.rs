@@ -195,7 +195,7 @@ proptest! {
 
 /// A fraction to 400 significant bits: relative errors of 2⁻⁴⁰⁰, doubled in each of 13 squarings.
 fn short(value: &Rational) -> Rational {
-    exact_kalman::filter::Precision::Rounded { bits: 400 }.of(value)
+    exact_kalman::scalar::Precision::Rounded { bits: 400 }.of(value)
 }
 
 fn shortened(matrix: &Q) -> Q {

@@ -3,11 +3,10 @@
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 
-use super::Precision;
 use crate::matrix::{Fractions, Matrix, least_common_multiple};
 use crate::model::Transition;
-use crate::scalar::Rational;
-use crate::trace::{Moments, Quantity, Values};
+use crate::scalar::{Precision, Rational};
+use crate::trace::Moments;
 
 /// `covariance = numerators / (scale · divisor)`, `mean = mean_numerators / (mean_scale · divisor)`.
 #[derive(Clone, Debug)]
@@ -42,18 +41,22 @@ impl State {
 
     /// The state as exact fractions.
     pub(super) fn moments(&self) -> Moments<Rational> {
-        let mut values = Values::new();
-        self.put(&mut values, [Quantity::FilteredMean, Quantity::FilteredCovariance], Precision::Exact);
-        let mut taken = |quantity| values.remove(&quantity).unwrap_or_else(|| Matrix::zeros(0, 0));
-        Moments { mean: taken(Quantity::FilteredMean), covariance: taken(Quantity::FilteredCovariance), diffuse: None }
+        let [mean, covariance] = self.fractions();
+        Moments {
+            mean: mean.entrywise(Precision::Exact),
+            covariance: covariance.symmetric(Precision::Exact),
+            diffuse: None,
+        }
     }
 
-    /// Hands out mean and covariance under the given names.
-    pub(super) fn put(&self, values: &mut Values<Rational>, names: [Quantity; 2], precision: Precision) {
-        let [mean, covariance] = names;
-        let denominator = &self.mean_scale * &self.divisor;
-        values.insert(mean, self.mean_numerators.map(|n| precision.fraction(n, &denominator)));
-        values.insert(covariance, symmetric_fractions(&self.numerators, &(&self.scale * &self.divisor), precision));
+    /// Mean and covariance as integers over their denominators.
+    pub(super) fn fractions(&self) -> [Fractions; 2] {
+        let mean = self.mean_numerators.clone();
+        let covariance = self.numerators.clone();
+        [
+            Fractions { numerators: mean, denominator: &self.mean_scale * &self.divisor },
+            Fractions { numerators: covariance, denominator: &self.scale * &self.divisor },
+        ]
     }
 
     /// `x ↦ A x + B u`, `P ↦ A P Aᵀ + D Dᵀ`: no elimination, so the divisor stays.
@@ -101,17 +104,4 @@ fn cancel_twos(numerators: &mut Matrix<BigInt>, scale: &mut BigInt) {
         }
         (Some(_), None) => {}
     }
-}
-
-/// A symmetric matrix of integers over one denominator, each pair handed out once.
-pub(super) fn symmetric_fractions(
-    numerators: &Matrix<BigInt>,
-    denominator: &BigInt,
-    precision: Precision,
-) -> Matrix<Rational> {
-    let n = numerators.rows();
-    let lower = Matrix::from_fn(n, n, |i, j| {
-        if j <= i { precision.fraction(&numerators[(i, j)], denominator) } else { Rational::zero() }
-    });
-    Matrix::from_fn(n, n, |i, j| lower[(i.max(j), i.min(j))].clone())
 }

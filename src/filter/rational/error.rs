@@ -1,19 +1,19 @@
-//! Why the fraction-free filter stopped.
+//! Why the filter on exact rationals stopped.
 
-use super::FractionFreeStep;
+use super::RationalStep;
 use crate::gaussian::ConditionError;
 use crate::scalar::Rational;
 
-/// The fraction-free filter cannot go on at a step.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+/// The filter on exact rationals cannot go on at a step.
+#[derive(Clone, Debug, thiserror::Error)]
 #[error("at step {step}: {reason}")]
-pub struct FractionFreeError {
+pub struct RationalFilterError {
     /// The step, counted from 0.
     pub step: usize,
     /// The reason, with its witness.
     pub reason: StopReason,
     /// The results of the steps before it.
-    pub computed: Vec<FractionFreeStep>,
+    pub computed: Vec<RationalStep>,
 }
 
 /// Why a filter on exact numbers stops.

@@ -1,12 +1,13 @@
-//! From integers over a denominator to fractions, in lowest terms or rounded.
+//! From two integers to their quotient, in lowest terms or rounded.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
-use crate::scalar::{Rational, common_divisor};
+use super::Rational;
+use super::integer::common_divisor;
 
-/// How results are handed out.
+/// How quotients of integers are handed out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// As they are, in lowest terms.
@@ -22,11 +23,11 @@ pub enum Precision {
 impl Precision {
     /// A fraction, as it is or rounded.
     pub fn of(self, value: &Rational) -> Rational {
-        self.fraction(value.numer(), value.denom())
+        self.quotient(value.numer(), value.denom())
     }
 
-    /// The fraction of two integers, the denominator positive.
-    pub(super) fn fraction(self, numerator: &BigInt, denominator: &BigInt) -> Rational {
+    /// The quotient of two integers, the divisor positive.
+    pub fn quotient(self, numerator: &BigInt, denominator: &BigInt) -> Rational {
         match self {
             _ if numerator.is_zero() => Rational::zero(),
             Self::Exact => {

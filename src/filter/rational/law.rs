@@ -1,0 +1,75 @@
+//! The joint law of one step's observation and its targets, given the state before it.
+
+use num_bigint::BigInt;
+
+use super::Sensors;
+use crate::matrix::{Fractions, Matrix, least_common_multiple};
+use crate::model::{Step, Timing};
+
+/// `(y, x, x₊) = E x₋ + noise`: the observed entries first, then x_k, then x_{k+1} where the transition departs from k.
+pub(super) struct Law {
+    /// The number of observed entries.
+    pub(super) observed: usize,
+    /// n
+    pub(super) states: usize,
+    /// 1, or 2 where the transition departs from k.
+    pub(super) targets: usize,
+    /// E
+    pub(super) map: Fractions,
+    /// The covariance of the noise.
+    pub(super) noise: Fractions,
+    /// What is subtracted from E x₋: the innovation is the first entries of `constant − E x₋`.
+    pub(super) constant: Fractions,
+}
+
+impl Law {
+    /// The law of a step whose predicted state is known.
+    pub(super) fn of(step: &Step<crate::scalar::Rational>, timing: Timing) -> Self {
+        let sensors = Sensors::of(step);
+        let n = sensors.matrix.columns();
+        let shared = sensors.shared_with_state(timing);
+        let (_, noise) = sensors.covariances(&Matrix::zeros(n, n), &shared);
+        let zeros = Matrix::zeros(n, n);
+        let mut map = sensors.matrix.above(&Matrix::identity(n));
+        let mut covariance = noise.beside(&shared.transpose()).above(&shared.beside(&zeros));
+        let mut constant = (&sensors.values - &sensors.input).above(&Matrix::zeros(n, 1));
+        let departing = step.transition.as_ref().filter(|_| timing == Timing::Departing);
+        if let Some(transition) = departing {
+            let cross = &sensors.cross_noise;
+            map = map.above(&transition.matrix);
+            covariance = covariance
+                .beside(&cross.transpose().above(&zeros))
+                .above(&cross.beside(&zeros).beside(&transition.noise));
+            constant = constant.above(&-&transition.input);
+        }
+        Self {
+            observed: sensors.observed.len(),
+            states: n,
+            targets: 1 + usize::from(departing.is_some()),
+            map: Fractions::of(&map),
+            noise: Fractions::of(&covariance),
+            constant: Fractions::of(&constant),
+        }
+    }
+
+    /// w, a common denominator of E ⊗ E and of the noise.
+    pub(super) fn scale(&self) -> BigInt {
+        least_common_multiple(&self.map.denominator * &self.map.denominator, &self.noise.denominator)
+    }
+
+    /// z, a common denominator of E and of the constants.
+    pub(super) fn mean_scale(&self) -> BigInt {
+        least_common_multiple(self.map.denominator.clone(), &self.constant.denominator)
+    }
+
+    /// The rows of the target with this number.
+    pub(super) fn target(&self, target: usize) -> std::ops::Range<usize> {
+        let first = self.observed + target * self.states;
+        first..first + self.states
+    }
+
+    /// The target to which a row belongs, if it is not an observed entry.
+    pub(super) fn target_of(&self, row: usize) -> Option<usize> {
+        row.checked_sub(self.observed).map(|place| place / self.states)
+    }
+}

@@ -1,0 +1,206 @@
+//! The filter on integer matrices over one denominator, without a greatest common divisor of large numbers.
+//!
+//! A covariance is `P = N / (u d)` with integers N, u, d. Where the observed entries y and the targets x are
+//! `E x₋ + noise` with `E = Eᵢ/e` and noise covariance `Qᵢ/w`, e² | w, their joint covariance is `J / (w u d)`:
+//!
+//! > `J = (w/e²) Eᵢ N Eᵢᵀ + u d Qᵢ`
+//!
+//! Symmetric fraction-free elimination of the entries of y, *with d as its first divisor*, leaves N₊ in place of
+//! a target: `P₊ = N₊ / (w u d₊)`, d₊ the last pivot. All divisions are exact: the k-minors of N are divisible by
+//! d^(k−1), since N is itself what an elimination with last pivot d has left (Sylvester's identity), and both
+//! terms of J keep that. The mean is one more column. Powers of two, all that doubles have in their denominators,
+//! are moved from d to u and cancelled by shifts.
+//!
+//! A zero pivot of a positive semidefinite J has a zero row: it is passed over, and the innovation must vanish
+//! there, else the data have probability zero.
+
+mod effort;
+mod elimination;
+mod error;
+mod law;
+mod state;
+mod step;
+
+use std::collections::BTreeMap;
+
+pub use effort::{Effort, Route, Wanted};
+use elimination::{Eliminated, Joint, Stop};
+pub use error::{RationalFilterError, StopReason};
+use law::Law;
+use state::State;
+pub use step::{RationalStep, StepValues};
+
+use super::recursion::Recursion;
+use super::update::{Sensors, update};
+use crate::matrix::Matrix;
+use crate::model::{Path, Step, Timing};
+use crate::scalar::Rational;
+use crate::trace::{Moments, Quantity, Record};
+
+/// The values of [`filter`](super::filter()) except the gain, by faster routes.
+///
+/// They are equal to those of the recursion, and come as integers over denominators: fractions in lowest terms, or
+/// rounded, are made of them when they are asked for.
+///
+/// Steps with a diffuse part, and paths that run with an indefinite initial covariance, go through the recursion.
+///
+/// # Errors
+///
+/// [`RationalFilterError`] for the reasons of [`filter`](super::filter()), or when numbers outgrow the limit.
+pub fn filter_rational(path: &Path<Rational>, effort: Effort) -> Result<Vec<RationalStep>, RationalFilterError> {
+    let mut computed = Vec::with_capacity(path.steps().len());
+    for step in RationalFilter::new(path, effort) {
+        match step {
+            Ok(step) => computed.push(step),
+            Err(reason) => return Err(RationalFilterError { step: computed.len(), reason, computed }),
+        }
+    }
+    Ok(computed)
+}
+
+/// The filter on exact rationals, one step at a time: nothing but the state is kept.
+///
+/// It ends with the path, or with the reason why it cannot go on.
+#[derive(Debug)]
+pub struct RationalFilter<'a> {
+    path: &'a Path<Rational>,
+    effort: Effort,
+    stage: Stage,
+    /// The number of steps done.
+    done: usize,
+    predicted_already: bool,
+}
+
+/// What a filter holds between two steps.
+#[derive(Debug)]
+enum Stage {
+    /// A state of fractions, with a diffuse part or indefinite; the length of its longest denominator.
+    Fractions(Box<Recursion<Rational>>, u64),
+    Integers(Box<State>),
+    Ended,
+}
+
+/// The results of a step, and the state with which the next one begins.
+type Advanced = (RationalStep, Option<State>);
+
+impl<'a> RationalFilter<'a> {
+    /// The filter before the first step of a path.
+    pub fn new(path: &'a Path<Rational>, effort: Effort) -> Self {
+        let start = Recursion::new(path);
+        let predicted_already = start.is_predicted();
+        Self { path, effort, stage: Stage::Fractions(Box::new(start), 0), done: 0, predicted_already }
+    }
+
+    /// The length in bits of the denominators of the state's covariance.
+    pub fn bits(&self) -> u64 {
+        match &self.stage {
+            Stage::Fractions(_, bits) => *bits,
+            Stage::Integers(state) => state.bits(),
+            Stage::Ended => 0,
+        }
+    }
+
+    fn advance(&mut self, step: &Step<Rational>) -> Option<Result<RationalStep, StopReason>> {
+        match std::mem::replace(&mut self.stage, Stage::Ended) {
+            Stage::Fractions(start, bits) => {
+                match start.plain_state().filter(|_| !self.path.initial().allow_indefinite) {
+                    Some(moments) => Some(self.on_integers(&State::of(moments), step)),
+                    None => self.by_recursion(start, bits, step).transpose(),
+                }
+            }
+            Stage::Integers(state) => Some(self.on_integers(&state, step)),
+            Stage::Ended => None,
+        }
+    }
+
+    fn by_recursion(
+        &mut self,
+        mut start: Box<Recursion<Rational>>,
+        bits: u64,
+        step: &Step<Rational>,
+    ) -> Result<Option<RationalStep>, StopReason> {
+        // Fractions in lowest terms cost so much more than integers that they may grow so much less.
+        self.within(bits, 16)?;
+        start.advance(step)?;
+        self.predicted_already = start.is_predicted();
+        // A path has a transition wherever a later observation depends on it; without one the filter ends.
+        let Some(record) = start.records.pop() else { return Ok(None) };
+        self.stage = Stage::Fractions(start, length(&record));
+        Ok(Some(RationalStep::of(&record)))
+    }
+
+    fn on_integers(&mut self, state: &State, step: &Step<Rational>) -> Result<RationalStep, StopReason> {
+        self.within(state.bits(), 1)?;
+        let timing = self.path.timing();
+        let propagated = match (&step.transition, timing) {
+            (Some(transition), Timing::Arriving) if !self.predicted_already => Some(state.propagated(transition)),
+            _ => None,
+        };
+        let predicted = propagated.as_ref().unwrap_or(state);
+        self.predicted_already = timing == Timing::Departing;
+        let advanced = advanced(predicted, step, timing, self.effort.wanted);
+        let (results, next) = advanced.map_err(|Stop| reason(predicted, step, timing))?;
+        self.stage = next.map_or(Stage::Ended, |state| Stage::Integers(Box::new(state)));
+        Ok(results)
+    }
+
+    /// Whether a length is within the limit, or within such a part of it.
+    fn within(&self, bits: u64, part: u64) -> Result<(), StopReason> {
+        match self.effort.maximal_bits.map(|limit| limit / part) {
+            Some(limit) if bits > limit => Err(StopReason::TooLong { bits, limit }),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Iterator for RationalFilter<'_> {
+    type Item = Result<RationalStep, StopReason>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let path = self.path;
+        let step = path.steps().get(self.done)?;
+        self.done += 1;
+        self.advance(step)
+    }
+}
+
+/// One observation: the values of the step, and the state with which the next one begins.
+fn advanced(predicted: &State, step: &Step<Rational>, timing: Timing, wanted: Wanted) -> Result<Advanced, Stop> {
+    let law = Law::of(step, timing);
+    let joint = Joint::of(predicted, &law);
+    let mut values = BTreeMap::new();
+    if wanted == Wanted::Everything {
+        let [mean, covariance] = predicted.fractions();
+        values.insert(Quantity::PredictedMean, mean);
+        values.insert(Quantity::PredictedCovariance, covariance);
+        if law.observed > 0 {
+            let [innovation, covariance] = joint.innovation();
+            values.insert(Quantity::Innovation, innovation);
+            values.insert(Quantity::InnovationCovariance, covariance);
+        }
+    }
+    let Eliminated { filtered, departed, rank } = joint.eliminated()?;
+    let [mean, covariance] = filtered.fractions();
+    values.insert(Quantity::FilteredMean, mean);
+    values.insert(Quantity::FilteredCovariance, covariance);
+    let next = match timing {
+        Timing::Arriving => Some(filtered),
+        Timing::Departing => departed,
+    };
+    Ok((RationalStep { values, innovation_rank: rank }, next))
+}
+
+/// The reason why the elimination stopped, with its witness, in the words of the recursion.
+fn reason(predicted: &State, step: &Step<Rational>, timing: Timing) -> StopReason {
+    match update(predicted.moments(), &Sensors::of(step), timing) {
+        Err(reason) => reason.into(),
+        Ok(_) => StopReason::NotSemidefinite,
+    }
+}
+
+/// The length in bits of the longest denominator that goes on to the next step.
+fn length(record: &Record<Rational>) -> u64 {
+    let Moments { covariance, diffuse, .. } = &record.filtered;
+    let entries = covariance.entries().iter().chain(diffuse.iter().flat_map(Matrix::entries));
+    entries.map(|entry| entry.denom().bits()).max().unwrap_or(0)
+}
