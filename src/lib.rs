@@ -70,6 +70,7 @@ pub mod identify;
 pub mod judge;
 pub mod matrix;
 pub mod model;
+pub mod modular;
 pub mod nongaussian;
 #[cfg(feature = "judge")]
 pub mod protocol;

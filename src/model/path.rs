@@ -43,12 +43,26 @@ pub struct Path<T> {
     timing: Timing,
     initial: Initial<T>,
     steps: Vec<Step<T>>,
+    /// Whether all covariances are known to be positive semidefinite.
+    semidefinite: bool,
 }
 
 impl<T> Path<T> {
-    /// A path whose parts the caller answers for.
+    /// A path whose parts the caller answers for; nothing is known of its covariances.
     pub(crate) fn from_parts(timing: Timing, initial: Initial<T>, steps: Vec<Step<T>>) -> Self {
-        Self { timing, initial, steps }
+        Self { timing, initial, steps, semidefinite: false }
+    }
+
+    /// A path whose covariances are positive semidefinite: those of the noise jointly, and the initial one unless it is
+    /// [allowed](Initial::allow_indefinite) not to be.
+    pub(super) fn semidefinite(timing: Timing, initial: Initial<T>, steps: Vec<Step<T>>) -> Self {
+        let semidefinite = !initial.allow_indefinite;
+        Self { timing, initial, steps, semidefinite }
+    }
+
+    /// Whether all covariances are known to be positive semidefinite, as those of a realised system are.
+    pub(crate) fn is_semidefinite(&self) -> bool {
+        self.semidefinite
     }
 
     /// Which transition shares noise with which observation.
@@ -92,7 +106,7 @@ impl<T> Path<T> {
             })
         });
         let steps = steps.collect::<Result<_, E>>()?;
-        Ok(Path { timing: self.timing, initial: self.initial.try_map(image)?, steps })
+        Ok(Path::from_parts(self.timing, self.initial.try_map(image)?, steps))
     }
 }
 

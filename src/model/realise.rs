@@ -67,7 +67,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
     pub(super) fn path(&self) -> Result<Path<S>, ModelError<S>> {
         self.check_initial()?;
         let steps = (0..self.observations.len()).map(|k| self.step(k)).collect::<Result<_, _>>()?;
-        Ok(Path::from_parts(self.system.timing, self.system.initial.clone(), steps))
+        Ok(Path::semidefinite(self.system.timing, self.system.initial.clone(), steps))
     }
 
     fn check_lengths(&self) -> Result<(), ModelError<S>> {

@@ -3,9 +3,10 @@
 use crate::imports::rooms_named;
 
 /// The floor of each room, those that are planned included.
-const FLOORS: [(&str, u32); 20] = [
+const FLOORS: [(&str, u32); 21] = [
     ("scalar", 0),
     ("matrix", 1),
+    ("modular", 1),
     ("gaussian", 2),
     ("model", 2),
     ("trace", 2),

@@ -4,5 +4,6 @@ mod broken;
 mod fields;
 mod fractions;
 mod interval;
+mod modular;
 mod normal;
 mod rational;

@@ -47,15 +47,15 @@ impl<'a> Joint<'a> {
         }
     }
 
-    /// The innovation and its covariance, before the elimination.
-    pub(super) fn innovation(&self) -> [Fractions; 2] {
-        let m = self.law.observed;
+    /// The innovation and its covariance, before the elimination; nothing if nothing is observed.
+    pub(super) fn innovation(&self) -> Option<[Fractions; 2]> {
+        let m = Some(self.law.observed).filter(|observed| *observed > 0)?;
         let innovation = self.column.block(0..m, 0..1);
         let covariance = self.covariance.block(0..m, 0..m);
-        [
+        Some([
             Fractions { numerators: innovation, denominator: &self.mean_scale * &self.divisor },
             Fractions { numerators: covariance, denominator: &self.scale * &self.divisor },
-        ]
+        ])
     }
 
     pub(super) fn eliminated(mut self) -> Result<Eliminated, Stop> {

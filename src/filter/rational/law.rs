@@ -5,8 +5,10 @@ use num_bigint::BigInt;
 use super::Sensors;
 use crate::matrix::{Fractions, Matrix, least_common_multiple};
 use crate::model::{Step, Timing};
+use crate::scalar::Rational;
 
 /// `(y, x, x₊) = E x₋ + noise`: the observed entries first, then x_k, then x_{k+1} where the transition departs from k.
+#[derive(Debug)]
 pub(super) struct Law {
     /// The number of observed entries.
     pub(super) observed: usize,
@@ -24,7 +26,7 @@ pub(super) struct Law {
 
 impl Law {
     /// The law of a step whose predicted state is known.
-    pub(super) fn of(step: &Step<crate::scalar::Rational>, timing: Timing) -> Self {
+    pub(super) fn of(step: &Step<Rational>, timing: Timing) -> Self {
         let sensors = Sensors::of(step);
         let n = sensors.matrix.columns();
         let shared = sensors.shared_with_state(timing);
@@ -32,7 +34,6 @@ impl Law {
         let zeros = Matrix::zeros(n, n);
         let mut map = sensors.matrix.above(&Matrix::identity(n));
         let mut covariance = noise.beside(&shared.transpose()).above(&shared.beside(&zeros));
-        let mut constant = (&sensors.values - &sensors.input).above(&Matrix::zeros(n, 1));
         let departing = step.transition.as_ref().filter(|_| timing == Timing::Departing);
         if let Some(transition) = departing {
             let cross = &sensors.cross_noise;
@@ -40,7 +41,6 @@ impl Law {
             covariance = covariance
                 .beside(&cross.transpose().above(&zeros))
                 .above(&cross.beside(&zeros).beside(&transition.noise));
-            constant = constant.above(&-&transition.input);
         }
         Self {
             observed: sensors.observed.len(),
@@ -48,7 +48,18 @@ impl Law {
             targets: 1 + usize::from(departing.is_some()),
             map: Fractions::of(&map),
             noise: Fractions::of(&covariance),
-            constant: Fractions::of(&constant),
+            constant: Fractions::of(&Self::constant(step, timing)),
+        }
+    }
+
+    /// What is subtracted from E x₋.
+    pub(super) fn constant(step: &Step<Rational>, timing: Timing) -> Matrix<Rational> {
+        let sensors = Sensors::of(step);
+        let n = sensors.matrix.columns();
+        let constant = (&sensors.values - &sensors.input).above(&Matrix::zeros(n, 1));
+        match step.transition.as_ref().filter(|_| timing == Timing::Departing) {
+            Some(transition) => constant.above(&-&transition.input),
+            None => constant,
         }
     }
 

@@ -18,6 +18,7 @@ mod effort;
 mod elimination;
 mod error;
 mod law;
+mod residues;
 mod state;
 mod step;
 
@@ -27,13 +28,14 @@ pub use effort::{Effort, Route, Wanted};
 use elimination::{Eliminated, Joint, Stop};
 pub use error::{RationalFilterError, StopReason};
 use law::Law;
+use residues::{Residues, Steps};
 use state::State;
 pub use step::{RationalStep, StepValues};
 
 use super::recursion::Recursion;
 use super::update::{Sensors, update};
-use crate::matrix::Matrix;
-use crate::model::{Path, Step, Timing};
+use crate::matrix::{Fractions, Matrix};
+use crate::model::{Path, Step, Timing, Transition};
 use crate::scalar::Rational;
 use crate::trace::{Moments, Quantity, Record};
 
@@ -66,6 +68,8 @@ pub struct RationalFilter<'a> {
     path: &'a Path<Rational>,
     effort: Effort,
     stage: Stage,
+    /// Images of the state modulo primes, if they have followed it.
+    residues: Option<Residues>,
     /// The number of steps done.
     done: usize,
     predicted_already: bool,
@@ -88,7 +92,7 @@ impl<'a> RationalFilter<'a> {
     pub fn new(path: &'a Path<Rational>, effort: Effort) -> Self {
         let start = Recursion::new(path);
         let predicted_already = start.is_predicted();
-        Self { path, effort, stage: Stage::Fractions(Box::new(start), 0), done: 0, predicted_already }
+        Self { path, effort, stage: Stage::Fractions(Box::new(start), 0), residues: None, done: 0, predicted_already }
     }
 
     /// The length in bits of the denominators of the state's covariance.
@@ -132,16 +136,52 @@ impl<'a> RationalFilter<'a> {
     fn on_integers(&mut self, state: &State, step: &Step<Rational>) -> Result<RationalStep, StopReason> {
         self.within(state.bits(), 1)?;
         let timing = self.path.timing();
-        let propagated = match (&step.transition, timing) {
-            (Some(transition), Timing::Arriving) if !self.predicted_already => Some(state.propagated(transition)),
-            _ => None,
-        };
-        let predicted = propagated.as_ref().unwrap_or(state);
+        let transition = step.transition.as_ref().filter(|_| timing == Timing::Arriving && !self.predicted_already);
         self.predicted_already = timing == Timing::Departing;
-        let advanced = advanced(predicted, step, timing, self.effort.wanted);
-        let (results, next) = advanced.map_err(|Stop| reason(predicted, step, timing))?;
+        let advanced = if self.is_modular(state, step) {
+            self.modular(state, step, transition)
+        } else {
+            self.residues = None;
+            let propagated = transition.map(|transition| state.propagated(transition));
+            fraction_free(propagated.as_ref().unwrap_or(state), step, timing, self.effort.wanted)
+        };
+        let (results, next) = advanced.map_err(|Stop| {
+            let propagated = transition.map(|transition| state.propagated(transition));
+            reason(propagated.as_ref().unwrap_or(state), step, timing)
+        })?;
         self.stage = next.map_or(Stage::Ended, |state| Stage::Integers(Box::new(state)));
         Ok(results)
+    }
+
+    /// Whether a step is made modulo primes.
+    fn is_modular(&self, state: &State, step: &Step<Rational>) -> bool {
+        // The lengths of integers are known beforehand where covariances are semidefinite.
+        self.path.is_semidefinite()
+            && match self.effort.route {
+                Route::Fastest => state.bits() > 512 && step.observation.columns() > 1,
+                Route::FractionFree => false,
+                Route::Multimodular => true,
+            }
+    }
+
+    fn modular(
+        &mut self,
+        state: &State,
+        step: &Step<Rational>,
+        transition: Option<&Transition<Rational>>,
+    ) -> Result<Advanced, Stop> {
+        let timing = self.path.timing();
+        let before = self.residues.as_ref().and_then(|_| self.path.steps().get(self.done.checked_sub(2)?));
+        let steps = Steps { before, step, timing, propagate: transition.is_some() };
+        let eliminated = self.residues.get_or_insert_default().advance(state, steps)?;
+        let mut values = BTreeMap::new();
+        if self.effort.wanted == Wanted::Everything {
+            let propagated = transition.map(|transition| state.propagated(transition));
+            let predicted = propagated.as_ref().unwrap_or(state);
+            let law = Law::of(step, timing);
+            insert_predicted(&mut values, predicted, &Joint::of(predicted, &law));
+        }
+        Ok(handed_out(values, eliminated, timing))
     }
 
     /// Whether a length is within the limit, or within such a part of it.
@@ -164,22 +204,30 @@ impl Iterator for RationalFilter<'_> {
     }
 }
 
-/// One observation: the values of the step, and the state with which the next one begins.
-fn advanced(predicted: &State, step: &Step<Rational>, timing: Timing, wanted: Wanted) -> Result<Advanced, Stop> {
+/// One observation, by elimination on integers.
+fn fraction_free(predicted: &State, step: &Step<Rational>, timing: Timing, wanted: Wanted) -> Result<Advanced, Stop> {
     let law = Law::of(step, timing);
     let joint = Joint::of(predicted, &law);
     let mut values = BTreeMap::new();
     if wanted == Wanted::Everything {
-        let [mean, covariance] = predicted.fractions();
-        values.insert(Quantity::PredictedMean, mean);
-        values.insert(Quantity::PredictedCovariance, covariance);
-        if law.observed > 0 {
-            let [innovation, covariance] = joint.innovation();
-            values.insert(Quantity::Innovation, innovation);
-            values.insert(Quantity::InnovationCovariance, covariance);
-        }
+        insert_predicted(&mut values, predicted, &joint);
     }
-    let Eliminated { filtered, departed, rank } = joint.eliminated()?;
+    Ok(handed_out(values, joint.eliminated()?, timing))
+}
+
+fn insert_predicted(values: &mut BTreeMap<Quantity, Fractions>, predicted: &State, joint: &Joint<'_>) {
+    let [mean, covariance] = predicted.fractions();
+    values.insert(Quantity::PredictedMean, mean);
+    values.insert(Quantity::PredictedCovariance, covariance);
+    if let Some([innovation, covariance]) = joint.innovation() {
+        values.insert(Quantity::Innovation, innovation);
+        values.insert(Quantity::InnovationCovariance, covariance);
+    }
+}
+
+/// The values of the step, and the state with which the next one begins.
+fn handed_out(mut values: BTreeMap<Quantity, Fractions>, eliminated: Eliminated, timing: Timing) -> Advanced {
+    let Eliminated { filtered, departed, rank } = eliminated;
     let [mean, covariance] = filtered.fractions();
     values.insert(Quantity::FilteredMean, mean);
     values.insert(Quantity::FilteredCovariance, covariance);
@@ -187,7 +235,7 @@ fn advanced(predicted: &State, step: &Step<Rational>, timing: Timing, wanted: Wa
         Timing::Arriving => Some(filtered),
         Timing::Departing => departed,
     };
-    Ok((RationalStep { values, innovation_rank: rank }, next))
+    (RationalStep { values, innovation_rank: rank }, next)
 }
 
 /// The reason why the elimination stopped, with its witness, in the words of the recursion.

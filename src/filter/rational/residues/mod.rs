@@ -1,0 +1,208 @@
+//! The filter modulo many primes, and the integers of its states from their remainders.
+//!
+//! Modulo a prime the whole of [`State`](super::state::State) is a few words, and a step costs as much as in doubles.
+//! Before each step a bound tells how long its integers can be at most, so many primes are taken, and the integers
+//! follow by the Chinese remainder theorem; nothing is guessed, and nothing has to be verified. Primes that are new take
+//! over the exact state before the step. A pivot is zero if it is zero modulo primes whose product exceeds its bound;
+//! a prime that divides a pivot (or a denominator of the data) is dropped.
+//!
+//! A step costs as much as k runs in doubles and, for each integer of k words, about k² products of words, or less
+//! where k is some hundreds: no more than one product of such integers, where elimination needs one or two for
+//! each pivot, and an exact division.
+
+mod bound;
+mod image;
+mod words;
+
+use num_bigint::BigInt;
+use num_traits::One;
+use rayon::prelude::*;
+
+use super::elimination::{Eliminated, Stop};
+use super::state::State;
+use crate::matrix::{Matrix, least_common_multiple};
+use crate::model::{Step, Timing};
+use crate::modular::{Basis, Digits, PRIME_BITS, PrimeField, Primes};
+use crate::scalar::Rational;
+use image::{Found, Image, Moment, Shape};
+use words::{Coefficients, Constants, StateDigits};
+
+/// Work, in products of words, below which a second core is not worth its call.
+const PARALLEL: usize = 1 << 16;
+
+/// States of the filter modulo primes, which follow an exact one.
+#[derive(Debug)]
+pub(super) struct Residues {
+    primes: Primes,
+    basis: Basis,
+    images: Vec<Image>,
+    coefficients: Option<Coefficients>,
+    /// The factor by which the divisors of the images exceed that of the exact state.
+    pending: BigInt,
+}
+
+impl Default for Residues {
+    fn default() -> Self {
+        Self {
+            primes: Primes::default(),
+            basis: Basis::default(),
+            images: Vec::new(),
+            coefficients: None,
+            pending: BigInt::one(),
+        }
+    }
+}
+
+/// A step, and the one before it if the images have made that.
+#[derive(Clone, Copy)]
+pub(super) struct Steps<'a> {
+    pub(super) before: Option<&'a Step<Rational>>,
+    pub(super) step: &'a Step<Rational>,
+    pub(super) timing: Timing,
+    /// Whether the state must first be moved by the transition of the step.
+    pub(super) propagate: bool,
+}
+
+impl Residues {
+    /// The states after a step, given the exact one before it.
+    pub(super) fn advance(&mut self, state: &State, steps: Steps<'_>) -> Result<Eliminated, Stop> {
+        let Steps { step, timing, propagate, .. } = steps;
+        let kept = self.coefficients.take().filter(|kept| kept.serve(steps));
+        let is_new = kept.is_none();
+        let coefficients = kept.unwrap_or_else(|| Coefficients::of(step, timing, propagate));
+        let constants = Constants::of(step, timing, propagate);
+        let scales = scales(state, &coefficients, &constants);
+        let length = bound::length(state, &coefficients, &constants, &scales);
+        let law = &coefficients.law;
+        let shape = Shape { states: law.states, observed: law.observed, targets: law.targets };
+
+        let data = [Digits::from(&scales[0]), Digits::from(&scales[1])];
+        let longest = data.iter().map(Digits::len).chain([coefficients.words.longest(), constants.longest()]).max();
+        let powers = longest.unwrap_or(1).max(Digits::from(&self.pending).len());
+        if is_new || self.images.iter().any(|image| image.powers.len() < powers) {
+            let (images, fields) = (&mut self.images, self.basis.fields());
+            images
+                .par_iter_mut()
+                .zip(fields)
+                .for_each(|(image, field)| image.refresh(field, &coefficients.words, powers));
+        }
+        let found = loop {
+            self.cover(length, state, &coefficients, powers);
+            let pending = Digits::from(&self.pending);
+            let moment = Moment { shape, constants: &constants, scales: &data, pending: &pending };
+            match regular(self.advance_images(&moment)) {
+                Ok(found) => break found,
+                Err(irregular) => self.without(&irregular),
+            }
+        };
+        if found.iter().any(|found| !found.settled) {
+            return Err(Stop);
+        }
+        let rank = found.first().map_or(0, |found| found.pivots.iter().filter(|pivot| **pivot).count());
+        let (divisor, mut states) = self.states(&found, shape, &scales);
+        // The images go on with the last target's state.
+        self.pending = states.last().map_or_else(BigInt::one, |state| divisor / &state.divisor);
+        self.coefficients = Some(coefficients);
+        let departed = if states.len() > 1 { states.pop() } else { None };
+        states.pop().map(|filtered| Eliminated { filtered, departed, rank }).ok_or(Stop)
+    }
+
+    /// Adds primes until they determine all integers below 2^length, and images of the exact state for all that have none.
+    fn cover(&mut self, length: u64, state: &State, coefficients: &Coefficients, powers: usize) {
+        let exact = StateDigits::of(state, &self.pending);
+        let longest = exact.longest().max(powers);
+        let image = |field: &PrimeField| Image::of(&exact, &coefficients.words, field, longest, powers);
+        if self.images.is_empty() {
+            // Images of a state are made of it anew after an irregular prime, too; a prime that does not suit is dropped.
+            let fields: Vec<PrimeField> = self.basis.fields().to_vec();
+            let images: Vec<_> = fields.par_iter().map(image).collect();
+            let suiting = fields.iter().zip(images).filter_map(|(field, image)| Some((*field, image?)));
+            let (fields, images): (Vec<_>, Vec<_>) = suiting.unzip();
+            self.basis = Basis::default();
+            self.basis.extend(fields);
+            self.images = images;
+        }
+        let missing = |basis: &Basis| usize::try_from(length.saturating_sub(basis.determines()).div_ceil(PRIME_BITS));
+        while let Ok(missing @ 1..) = missing(&self.basis) {
+            let fields: Vec<PrimeField> = self.primes.by_ref().take(missing).collect();
+            let images: Vec<_> = fields.par_iter().map(image).collect();
+            let suiting = fields.iter().zip(images).filter_map(|(field, image)| Some((*field, image?)));
+            let (fields, images): (Vec<_>, Vec<_>) = suiting.unzip();
+            self.basis.extend(fields);
+            self.images.extend(images);
+        }
+    }
+
+    fn advance_images(&mut self, moment: &Moment<'_>) -> Vec<Option<Found>> {
+        let (fields, cofactors) = (self.basis.fields(), self.basis.cofactors());
+        let shortest = PARALLEL.div_ceil(moment.shape.work());
+        (self.images.par_iter_mut().zip(fields).zip(cofactors).with_min_len(shortest))
+            .map(|((image, field), cofactor)| image.advance(field, *cofactor, moment))
+            .collect()
+    }
+
+    /// Drops the primes at these places, and all images: they have made a step that is not taken.
+    fn without(&mut self, irregular: &[usize]) {
+        let fields = std::mem::take(&mut self.basis);
+        let kept = fields.fields().iter().enumerate().filter(|(at, _)| !irregular.contains(at));
+        self.basis.extend(kept.map(|(_, field)| *field));
+        self.images.clear();
+        self.pending = BigInt::one();
+    }
+
+    /// d′, and the states of the targets.
+    fn states(&self, found: &[Found], shape: Shape, scales: &[BigInt; 2]) -> (BigInt, Vec<State>) {
+        let values = found.first().map_or(0, |found| found.parts.len());
+        let determined = self.basis.determined();
+        let shortest = PARALLEL.div_ceil((found.len() * found.len()).max(1));
+        let integers: Vec<BigInt> = (0..values)
+            .into_par_iter()
+            .with_min_len(shortest)
+            .map(|value| determined.integer(&found.iter().map(|found| found.parts[value]).collect::<Vec<_>>()))
+            .collect();
+        let mut integers = integers.into_iter();
+        let divisor = integers.next().unwrap_or_else(BigInt::one);
+        let n = shape.states;
+        let states = (0..shape.targets).map(|_| {
+            let mean = Matrix::column(integers.by_ref().take(n).collect());
+            let lower: Vec<BigInt> = integers.by_ref().take(n * (n + 1) / 2).collect();
+            let [scale, mean_scale] = scales.clone();
+            State {
+                numerators: Matrix::from_fn(n, n, |i, j| lower[i.max(j) * (i.max(j) + 1) / 2 + i.min(j)].clone()),
+                scale,
+                divisor: divisor.clone(),
+                mean_numerators: mean,
+                mean_scale,
+            }
+            .without_twos()
+        });
+        let states = states.collect();
+        (divisor, states)
+    }
+}
+
+/// The results of all primes, or the places of those which have found fewer pivots than others.
+///
+/// A pivot that is zero modulo one prime and not modulo another is not zero; one that is zero modulo all is zero, for their
+/// product exceeds it. So the true pattern of pivots is the largest in the order of words.
+fn regular(found: Vec<Option<Found>>) -> Result<Vec<Found>, Vec<usize>> {
+    let pattern = found.iter().flatten().map(|found| &found.pivots).max();
+    let is_regular = |found: &Option<Found>| found.as_ref().map(|found| &found.pivots) == pattern;
+    let irregular: Vec<usize> =
+        found.iter().enumerate().filter(|(_, found)| !is_regular(found)).map(|(at, _)| at).collect();
+    if irregular.is_empty() { Ok(found.into_iter().flatten().collect()) } else { Err(irregular) }
+}
+
+/// w u and z uₓ: by these times d′ the next covariances and means become integers.
+fn scales(state: &State, coefficients: &Coefficients, constants: &Constants) -> [BigInt; 2] {
+    let square = |denominator: &BigInt| denominator * denominator;
+    let multiple = |left: BigInt, right: &BigInt| least_common_multiple(left, right);
+    let map = &coefficients.law.map.denominator;
+    let mut scale = &state.scale * multiple(square(map), &coefficients.law.noise.denominator);
+    let mut mean_scale = &state.mean_scale * multiple(map.clone(), &constants.law.denominator);
+    if let (Some((a, noise)), Some(input)) = (&coefficients.transition, &constants.input) {
+        scale *= multiple(square(&a.denominator), &noise.denominator);
+        mean_scale *= multiple(a.denominator.clone(), &input.denominator);
+    }
+    [scale, mean_scale]
+}
