@@ -6,7 +6,7 @@ use num_traits::Zero;
 use super::{PRIME_BITS, PrimeField};
 
 /// The primes whose multiples are summed directly, by the rows of a table; above that, products of large integers.
-const GROUP: usize = 64;
+const GROUP: usize = 128;
 
 /// Primes p₁, …, p_k with product M, and what is needed to find an integer x from its remainders:
 ///
@@ -125,16 +125,13 @@ impl Extend<PrimeField> for Basis {
             self.fields.push(field);
             self.cofactors.push(own);
         }
-        if self.fields.len() == begin {
-            return;
-        }
-        // The last group may have been incomplete.
-        self.groups.truncate(begin / GROUP);
-        while self.groups.len() * GROUP < self.fields.len() {
-            let first = self.groups.len() * GROUP;
-            let last = self.fields.len().min(first + GROUP);
-            self.groups.push(Group::of(&self.fields[first..last]));
-            if last == first + GROUP {
+        for at in begin..self.fields.len() {
+            if self.groups.last().is_none_or(|group| group.size == GROUP) {
+                self.groups.push(Group::empty());
+            }
+            let Some(group) = self.groups.last_mut() else { continue };
+            group.push(self.fields[at].modulus());
+            if group.size == GROUP {
                 self.complete();
             }
         }
@@ -151,22 +148,32 @@ fn left_half(groups: usize) -> usize {
 struct Group {
     size: usize,
     modulus: BigUint,
-    /// The words of M/p_i, M the product of this group: the first words of all of them, then the second ones, ….
+    /// The words of M/p_i, M the product of this group: a row of [`GROUP`] for the first words of all, one for the second
+    /// ones, ….
     words: Vec<u64>,
 }
 
 impl Group {
-    fn of(fields: &[PrimeField]) -> Self {
-        let size = fields.len();
-        let modulus: BigUint = fields.iter().map(|field| BigUint::from(field.modulus())).product();
-        let mut words = vec![0; size * size];
-        for (i, field) in fields.iter().enumerate() {
-            let others = &modulus / field.modulus();
-            for (j, word) in others.iter_u64_digits().enumerate() {
-                words[j * size + i] = word;
+    fn empty() -> Self {
+        Self { size: 0, modulus: BigUint::from(1u8), words: Vec::new() }
+    }
+
+    /// Adds a prime: it multiplies what the others have, and what it has is their product.
+    #[expect(clippy::cast_possible_truncation, reason = "low and high words")]
+    fn push(&mut self, prime: u64) {
+        let own: Vec<u64> = self.modulus.iter_u64_digits().collect();
+        self.words.resize((own.len() + 1) * GROUP, 0);
+        let mut carries = vec![0; self.size];
+        for (row, own) in self.words.chunks_exact_mut(GROUP).zip(own.into_iter().chain([0])) {
+            for (word, carry) in row.iter_mut().zip(&mut carries) {
+                let product = u128::from(*word) * u128::from(prime) + u128::from(*carry);
+                *word = product as u64;
+                *carry = (product >> 64) as u64;
             }
+            row[self.size] = own;
         }
-        Self { size, modulus, words }
+        self.modulus *= prime;
+        self.size += 1;
     }
 
     /// `s₁ M/p₁ + …`, for s_i < p_i.
@@ -175,7 +182,8 @@ impl Group {
         let mut digits: Vec<u32> = Vec::with_capacity(2 * self.size + 4);
         let mut put = |word: u64| digits.extend([word as u32, (word >> 32) as u32]);
         let (mut total, mut carries) = (0u128, 0u64);
-        for row in self.words.chunks_exact(self.size) {
+        for row in self.words.chunks_exact(GROUP) {
+            let row = &row[..self.size];
             let (rows, parts) = (row.chunks_exact(4), parts.chunks_exact(4));
             let mut rest = 0u128;
             for (a, b) in rows.remainder().iter().zip(parts.remainder()) {

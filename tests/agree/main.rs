@@ -14,6 +14,7 @@ mod growth;
 mod identify;
 mod measurable;
 mod moments;
+mod multimodular;
 mod nongaussian;
 mod one_shot;
 mod past;

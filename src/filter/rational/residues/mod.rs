@@ -12,6 +12,7 @@
 
 mod bound;
 mod image;
+mod joint;
 mod words;
 
 use num_bigint::BigInt;
@@ -25,6 +26,7 @@ use crate::model::{Step, Timing};
 use crate::modular::{Basis, Digits, PRIME_BITS, PrimeField, Primes};
 use crate::scalar::Rational;
 use image::{Found, Image, Moment, Shape};
+use joint::Joint;
 use words::{Coefficients, Constants, StateDigits};
 
 /// Work, in products of words, below which a second core is not worth its call.
@@ -137,7 +139,9 @@ impl Residues {
         let (fields, cofactors) = (self.basis.fields(), self.basis.cofactors());
         let shortest = PARALLEL.div_ceil(moment.shape.work());
         (self.images.par_iter_mut().zip(fields).zip(cofactors).with_min_len(shortest))
-            .map(|((image, field), cofactor)| image.advance(field, *cofactor, moment))
+            .map_init(Joint::default, |joint, ((image, field), cofactor)| {
+                image.advance(field, *cofactor, moment, joint)
+            })
             .collect()
     }
 

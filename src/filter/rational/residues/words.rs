@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 
-use crate::matrix::{Fractions, Matrix};
+use crate::matrix::Fractions;
 use crate::model::{Step, Timing};
 use crate::modular::{Digits, PrimeField};
 use crate::scalar::Rational;
@@ -55,10 +55,11 @@ impl Words {
         numerators.max(self.denominator.digits.len())
     }
 
-    /// The forms of its entries, unless the prime divides the denominator.
-    pub(super) fn forms(&self, field: &PrimeField, powers: &[u64]) -> Option<Vec<u64>> {
+    /// Appends the forms of its entries, unless the prime divides the denominator.
+    pub(super) fn put_forms(&self, field: &PrimeField, powers: &[u64], forms: &mut Vec<u64>) -> Option<()> {
         let inverse = self.denominator.inverse(field, powers)?;
-        Some(self.numerators.iter().map(|digits| field.product(digits.form(field, powers), inverse)).collect())
+        forms.extend(self.numerators.iter().map(|digits| field.product(digits.form(field, powers), inverse)));
+        Some(())
     }
 }
 
@@ -152,8 +153,8 @@ impl Constants {
 /// An exact state as words.
 #[derive(Debug)]
 pub(super) struct StateDigits {
-    /// N, row by row.
-    pub(super) numerators: Vec<Digits>,
+    /// The lower triangle of N, row by row.
+    pub(super) lower: Vec<Digits>,
     pub(super) mean_numerators: Vec<Digits>,
     pub(super) scale: Digits,
     pub(super) mean_scale: Digits,
@@ -164,10 +165,10 @@ pub(super) struct StateDigits {
 
 impl StateDigits {
     pub(super) fn of(state: &State, pending: &BigInt) -> Self {
-        let all = |matrix: &Matrix<BigInt>| matrix.entries().iter().map(Digits::from).collect();
+        let lower = (0..state.numerators.rows()).flat_map(|i| (0..=i).map(move |j| (i, j)));
         Self {
-            numerators: all(&state.numerators),
-            mean_numerators: all(&state.mean_numerators),
+            lower: lower.map(|place| (&state.numerators[place]).into()).collect(),
+            mean_numerators: state.mean_numerators.entries().iter().map(Digits::from).collect(),
             scale: (&state.scale).into(),
             mean_scale: (&state.mean_scale).into(),
             divisor: (&state.divisor).into(),
@@ -177,7 +178,7 @@ impl StateDigits {
 
     /// The number of words of the longest integer.
     pub(super) fn longest(&self) -> usize {
-        let integers = self.numerators.iter().chain(&self.mean_numerators);
+        let integers = self.lower.iter().chain(&self.mean_numerators);
         let integers = integers.chain([&self.scale, &self.mean_scale, &self.divisor, &self.pending]);
         integers.map(Digits::len).max().unwrap_or(0)
     }

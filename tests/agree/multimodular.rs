@@ -1,0 +1,145 @@
+//! The multi-modular route where primes do not suit the data, and where numbers are long.
+
+use exact_kalman::filter::{Effort, RationalStep, Route, filter, filter_rational};
+use exact_kalman::matrix::Matrix;
+use exact_kalman::model::{Before, Coefficient, Initial, Noise, Observation, Path, System, Timing};
+use exact_kalman::modular::Primes;
+use exact_kalman::scalar::{Precision, Rational, ratio};
+use exact_kalman::trace::Quantity;
+use num_bigint::BigInt;
+
+type Q = Matrix<Rational>;
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+/// Full words from a linear congruence, as odd multiples of powers of two: doubles have such significands.
+struct Significands(u64);
+
+impl Significands {
+    fn next(&mut self) -> Rational {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        let significand = i64::try_from(self.0 >> 11).expect("53 bits") - (1 << 52);
+        Rational::new(significand.into(), BigInt::from(1) << (52 + (self.0 >> 3) % 5))
+    }
+
+    fn matrix(&mut self, rows: usize, columns: usize) -> Q {
+        Matrix::from_fn(rows, columns, |_, _| self.next())
+    }
+}
+
+/// The k-th of the primes that the route uses.
+fn prime(k: usize) -> Rational {
+    let field = Primes::default().nth(k).expect("primes go on");
+    Rational::from(BigInt::from(field.modulus()))
+}
+
+fn by(path: &Path<Rational>, route: Route) -> Result<Vec<RationalStep>, Box<dyn std::error::Error>> {
+    Ok(filter_rational(path, Effort { route, ..Effort::default() })?)
+}
+
+fn assert_equal(left: &[RationalStep], right: &[RationalStep]) {
+    assert_eq!(left.len(), right.len());
+    for (step, (left, right)) in left.iter().zip(right).enumerate() {
+        let (left, right) = (left.fractions(Precision::Exact), right.fractions(Precision::Exact));
+        assert_eq!(left.innovation_rank, right.innovation_rank, "step {step}");
+        for (quantity, matrix) in &left.values {
+            // Not shown: these are thousands of digits.
+            assert!(right.values.get(quantity) == Some(matrix), "{quantity} at step {step}");
+        }
+        assert_eq!(left.values.len(), right.values.len());
+    }
+}
+
+/// Dense systems with noise on everything, n = 1, …, 5 and m = 1, …, 4, long enough for several hundred primes, where fractions
+/// in lowest terms would take minutes.
+#[test]
+fn long_numbers_agree_with_elimination_on_integers() -> Outcome {
+    for (n, m, steps) in [(1, 1, 40), (2, 1, 40), (3, 2, 20), (4, 4, 10), (5, 3, 10)] {
+        for timing in [Timing::Arriving, Timing::Departing] {
+            let mut draw = Significands(n as u64);
+            let before = if timing == Timing::Arriving { Before::Transition } else { Before::Observation };
+            let system = System {
+                timing,
+                initial: Initial::new(before, draw.matrix(n, 1), Matrix::identity(n)),
+                transition: draw.matrix(n, n).into(),
+                observation: draw.matrix(m, n).into(),
+                noise: Noise::Factors {
+                    process: draw.matrix(n, n + m).into(),
+                    observation: draw.matrix(m, n + m).into(),
+                },
+                input: None,
+                observation_input: None,
+            };
+            let readings: Vec<_> =
+                (0..steps).map(|_| Observation::complete((0..m).map(|_| draw.next()).collect::<Vec<_>>())).collect();
+            let path = system.realised(&readings)?;
+            let modular = by(&path, Route::Multimodular)?;
+            let last = &modular[steps - 1].values[&Quantity::FilteredCovariance].denominator;
+            assert!(last.bits() > 2000, "{n}, {m}: {} bits", last.bits());
+            assert_equal(&modular, &by(&path, Route::FractionFree)?);
+        }
+    }
+    Ok(())
+}
+
+/// A system of two states that are read through `noise` and moved by `transition`, step by step.
+fn awkward(
+    noise: &[Rational],
+    transition: &[Rational],
+    readings: &[Rational],
+) -> Result<Path<Rational>, Box<dyn std::error::Error>> {
+    let mut draw = Significands(7);
+    let base = draw.matrix(2, 2);
+    let process = draw.matrix(2, 2);
+    let moved = |factor: &Rational| base.scaled(factor);
+    let system = System {
+        timing: Timing::Arriving,
+        // Nothing is known to vary at first: the first innovation covariance is the noise.
+        initial: Initial::new(Before::Observation, Matrix::zeros(2, 1), Matrix::zeros(2, 2)),
+        transition: Coefficient::per_step(transition.iter().map(moved)),
+        observation: draw.matrix(1, 2).into(),
+        noise: Noise::Covariances {
+            process: process.congruence(&Matrix::identity(2)).into(),
+            cross: None,
+            observation: Coefficient::per_step(noise.iter().map(|noise| Matrix::column(vec![noise.clone()]))),
+        },
+        input: None,
+        observation_input: None,
+    };
+    let readings: Vec<_> = readings.iter().map(|y| Observation::complete([y.clone()])).collect();
+    Ok(system.realised(&readings)?)
+}
+
+/// Pivots, transitions and readings with primes that the route uses, or will use, in numerators or denominators.
+#[test]
+fn primes_that_do_not_suit_the_data_are_passed_over() -> Outcome {
+    const STEPS: usize = 16;
+    let plain = || vec![ratio(1, 1); STEPS];
+    let at = |step: usize, value: Rational| {
+        let mut values = plain();
+        values[step] = value;
+        values
+    };
+    // The first one is in use from the beginning, the twentieth only later.
+    for k in [0, 1, 20] {
+        let p = prime(k);
+        let cases = [
+            awkward(&at(0, p.clone()), &plain(), &plain())?,
+            awkward(&at(0, p.recip()), &plain(), &plain())?,
+            awkward(&plain(), &at(1, p.recip()), &plain())?,
+            awkward(&plain(), &at(9, p.recip()), &plain())?,
+            awkward(&plain(), &at(9, p.clone()), &plain())?,
+            awkward(&plain(), &plain(), &at(9, p.recip()))?,
+            awkward(&at(0, &p * prime(k + 1)), &at(5, (&p * prime(k + 2)).recip()), &at(6, p.recip()))?,
+        ];
+        for path in &cases {
+            let trace = filter(path)?;
+            let modular = by(path, Route::Multimodular)?;
+            assert_eq!(modular.len(), STEPS);
+            for (step, record) in modular.iter().zip(&trace.records) {
+                assert_eq!(step.exactly(Quantity::FilteredMean).as_ref(), Some(&record.filtered.mean));
+                assert_eq!(step.exactly(Quantity::FilteredCovariance).as_ref(), Some(&record.filtered.covariance));
+            }
+        }
+    }
+    Ok(())
+}
