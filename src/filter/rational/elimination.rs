@@ -111,6 +111,6 @@ impl<'a> Joint<'a> {
             mean_numerators: -self.column.block(rows, 0..1),
             mean_scale: self.mean_scale.clone(),
         }
-        .without_twos()
+        .reduced()
     }
 }
