@@ -68,6 +68,11 @@ impl Law {
         first..first + self.states
     }
 
+    /// Whether an entry of the joint covariance is needed: those between two targets are not.
+    pub(super) fn is_needed(&self, i: usize, j: usize) -> bool {
+        i.min(j) < self.observed || self.target_of(i) == self.target_of(j)
+    }
+
     /// The target to which a row belongs, if it is not an observed entry.
     pub(super) fn target_of(&self, row: usize) -> Option<usize> {
         row.checked_sub(self.observed).map(|place| place / self.states)

@@ -8,8 +8,8 @@
 //! Symmetric fraction-free elimination of the entries of y, *with d as its first divisor*, leaves N₊ in place of
 //! a target: `P₊ = N₊ / (w u d₊)`, d₊ the last pivot. All divisions are exact: the k-minors of N are divisible by
 //! d^(k−1), since N is itself what an elimination with last pivot d has left (Sylvester's identity), and both
-//! terms of J keep that. The mean is one more column. Powers of two, all that doubles have in their denominators,
-//! are moved from d to u and cancelled by shifts.
+//! terms of J keep that. The mean is one more column. What d has of the primes of u, which are
+//! those of the data's denominators, is moved from d to u and cancelled: no number grows faster than lowest terms do.
 //!
 //! A zero pivot of a positive semidefinite J has a zero row: it is passed over, and the innovation must vanish
 //! there, else the data have probability zero.
@@ -17,6 +17,8 @@
 mod effort;
 mod elimination;
 mod error;
+mod exact_division;
+mod image;
 mod law;
 mod state;
 mod step;

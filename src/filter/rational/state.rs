@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 use num_traits::One;
 
+use super::image;
 use crate::matrix::{Fractions, Matrix, least_common_multiple};
 use crate::model::Transition;
 use crate::scalar::{Precision, Rational, common_divisor};
@@ -63,17 +64,15 @@ impl State {
     pub(super) fn propagated(&self, transition: &Transition<Rational>) -> Self {
         let a = Fractions::of(&transition.matrix);
         let noise = Fractions::of(&transition.noise);
-        let input = Fractions::of(&transition.input);
-        let square = &a.denominator * &a.denominator;
-        let w = least_common_multiple(square.clone(), &noise.denominator);
+        let input = Fractions::of(&-&transition.input);
+        let w = least_common_multiple(&a.denominator * &a.denominator, &noise.denominator);
         let z = least_common_multiple(a.denominator.clone(), &input.denominator);
-        let moved = a.numerators.congruence(&self.numerators).scaled(&(&w / square));
-        let mean = (&a.numerators * &self.mean_numerators).scaled(&(&z / &a.denominator));
+        let lower = image::covariance(self, &a, &noise, &w, |_, _| true);
         Self {
-            numerators: moved + noise.over(&w).scaled(&(&self.scale * &self.divisor)),
+            numerators: Matrix::from_fn(lower.rows(), lower.rows(), |i, j| lower[(i.max(j), i.min(j))].clone()),
             scale: &self.scale * w,
             divisor: self.divisor.clone(),
-            mean_numerators: mean + input.over(&z).scaled(&(&self.mean_scale * &self.divisor)),
+            mean_numerators: image::mean(self, &a, &input, &z),
             mean_scale: &self.mean_scale * z,
         }
         .reduced()
