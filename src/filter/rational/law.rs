@@ -4,9 +4,11 @@ use num_bigint::BigInt;
 
 use super::Sensors;
 use crate::matrix::{Fractions, Matrix, least_common_multiple};
-use crate::model::{Step, Timing};
+use crate::model::{Step, Timing, Transition};
+use crate::scalar::Rational;
 
 /// `(y, x, x₊) = E x₋ + noise`: the observed entries first, then x_k, then x_{k+1} where the transition departs from k.
+#[derive(Debug)]
 pub(super) struct Law {
     /// The number of observed entries.
     pub(super) observed: usize,
@@ -24,7 +26,7 @@ pub(super) struct Law {
 
 impl Law {
     /// The law of a step whose predicted state is known.
-    pub(super) fn of(step: &Step<crate::scalar::Rational>, timing: Timing) -> Self {
+    pub(super) fn of(step: &Step<Rational>, timing: Timing) -> Self {
         let sensors = Sensors::of(step);
         let n = sensors.matrix.columns();
         let shared = sensors.shared_with_state(timing);
@@ -32,15 +34,13 @@ impl Law {
         let zeros = Matrix::zeros(n, n);
         let mut map = sensors.matrix.above(&Matrix::identity(n));
         let mut covariance = noise.beside(&shared.transpose()).above(&shared.beside(&zeros));
-        let mut constant = (&sensors.values - &sensors.input).above(&Matrix::zeros(n, 1));
-        let departing = step.transition.as_ref().filter(|_| timing == Timing::Departing);
+        let departing = departing(step, timing);
         if let Some(transition) = departing {
             let cross = &sensors.cross_noise;
             map = map.above(&transition.matrix);
             covariance = covariance
                 .beside(&cross.transpose().above(&zeros))
                 .above(&cross.beside(&zeros).beside(&transition.noise));
-            constant = constant.above(&-&transition.input);
         }
         Self {
             observed: sensors.observed.len(),
@@ -48,8 +48,30 @@ impl Law {
             targets: 1 + usize::from(departing.is_some()),
             map: Fractions::of(&map),
             noise: Fractions::of(&covariance),
-            constant: Fractions::of(&constant),
+            constant: constant(step, timing),
         }
+    }
+
+    /// The law of a transition alone: one target and nothing observed.
+    pub(super) fn of_transition(transition: &Transition<Rational>) -> Self {
+        Self {
+            observed: 0,
+            states: transition.matrix.rows(),
+            targets: 1,
+            map: Fractions::of(&transition.matrix),
+            noise: Fractions::of(&transition.noise),
+            constant: Fractions::of(&-&transition.input),
+        }
+    }
+
+    /// This law with the reading and the inputs of another step.
+    pub(super) fn of_data(self, step: &Step<Rational>, timing: Timing) -> Self {
+        Self { constant: constant(step, timing), ..self }
+    }
+
+    /// This law of a transition with the input of another.
+    pub(super) fn of_input(self, transition: &Transition<Rational>) -> Self {
+        Self { constant: Fractions::of(&-&transition.input), ..self }
     }
 
     /// w, a common denominator of E ⊗ E and of the noise.
@@ -76,5 +98,20 @@ impl Law {
     /// The target to which a row belongs, if it is not an observed entry.
     pub(super) fn target_of(&self, row: usize) -> Option<usize> {
         row.checked_sub(self.observed).map(|place| place / self.states)
+    }
+}
+
+/// The transition that departs from a step.
+fn departing(step: &Step<Rational>, timing: Timing) -> Option<&Transition<Rational>> {
+    step.transition.as_ref().filter(|_| timing == Timing::Departing)
+}
+
+fn constant(step: &Step<Rational>, timing: Timing) -> Fractions {
+    let observed = step.reading.present();
+    let seen = step.reading.values() - step.observation_input.select_rows(&observed);
+    let constant = seen.above(&Matrix::zeros(step.observation.columns(), 1));
+    match departing(step, timing) {
+        Some(transition) => Fractions::of(&constant.above(&-&transition.input)),
+        None => Fractions::of(&constant),
     }
 }

@@ -20,6 +20,7 @@ mod error;
 mod exact_division;
 mod image;
 mod law;
+mod laws;
 mod state;
 mod step;
 
@@ -29,6 +30,7 @@ pub use effort::{Effort, Route, Wanted};
 use elimination::{Eliminated, Joint, Stop};
 pub use error::{RationalFilterError, StopReason};
 use law::Law;
+use laws::Laws;
 use state::State;
 pub use step::{RationalStep, StepValues};
 
@@ -67,6 +69,7 @@ pub fn filter_rational(path: &Path<Rational>, effort: Effort) -> Result<Vec<Rati
 pub struct RationalFilter<'a> {
     path: &'a Path<Rational>,
     effort: Effort,
+    laws: Laws<'a>,
     stage: Stage,
     /// The number of steps done.
     done: usize,
@@ -90,7 +93,8 @@ impl<'a> RationalFilter<'a> {
     pub fn new(path: &'a Path<Rational>, effort: Effort) -> Self {
         let start = Recursion::new(path);
         let predicted_already = start.is_predicted();
-        Self { path, effort, stage: Stage::Fractions(Box::new(start), 0), done: 0, predicted_already }
+        let stage = Stage::Fractions(Box::new(start), 0);
+        Self { path, effort, laws: Laws::default(), stage, done: 0, predicted_already }
     }
 
     /// The length in bits of the denominators of the state's covariance.
@@ -102,7 +106,7 @@ impl<'a> RationalFilter<'a> {
         }
     }
 
-    fn advance(&mut self, step: &Step<Rational>) -> Option<Result<RationalStep, StopReason>> {
+    fn advance(&mut self, step: &'a Step<Rational>) -> Option<Result<RationalStep, StopReason>> {
         match std::mem::replace(&mut self.stage, Stage::Ended) {
             Stage::Fractions(start, bits) => {
                 match start.plain_state().filter(|_| !self.path.initial().allow_indefinite) {
@@ -131,16 +135,18 @@ impl<'a> RationalFilter<'a> {
         Ok(Some(RationalStep::of(&record)))
     }
 
-    fn on_integers(&mut self, state: &State, step: &Step<Rational>) -> Result<RationalStep, StopReason> {
+    fn on_integers(&mut self, state: &State, step: &'a Step<Rational>) -> Result<RationalStep, StopReason> {
         self.within(state.bits(), 1)?;
         let timing = self.path.timing();
         let propagated = match (&step.transition, timing) {
-            (Some(transition), Timing::Arriving) if !self.predicted_already => Some(state.propagated(transition)),
+            (Some(transition), Timing::Arriving) if !self.predicted_already => {
+                Some(state.propagated(self.laws.of_transition(transition)))
+            }
             _ => None,
         };
         let predicted = propagated.as_ref().unwrap_or(state);
         self.predicted_already = timing == Timing::Departing;
-        let advanced = advanced(predicted, step, timing, self.effort.wanted);
+        let advanced = advanced(predicted, self.laws.of(step, timing), timing, self.effort.wanted);
         let (results, next) = advanced.map_err(|Stop| reason(predicted, step, timing))?;
         self.stage = next.map_or(Stage::Ended, |state| Stage::Integers(Box::new(state)));
         Ok(results)
@@ -167,9 +173,8 @@ impl Iterator for RationalFilter<'_> {
 }
 
 /// One observation: the values of the step, and the state with which the next one begins.
-fn advanced(predicted: &State, step: &Step<Rational>, timing: Timing, wanted: Wanted) -> Result<Advanced, Stop> {
-    let law = Law::of(step, timing);
-    let joint = Joint::of(predicted, &law);
+fn advanced(predicted: &State, law: &Law, timing: Timing, wanted: Wanted) -> Result<Advanced, Stop> {
+    let joint = Joint::of(predicted, law);
     let mut values = BTreeMap::new();
     if wanted == Wanted::Everything {
         let [mean, covariance] = predicted.fractions();

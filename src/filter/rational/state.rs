@@ -4,8 +4,8 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use super::image;
-use crate::matrix::{Fractions, Matrix, least_common_multiple};
-use crate::model::Transition;
+use super::law::Law;
+use crate::matrix::{Fractions, Matrix};
 use crate::scalar::{Precision, Rational, common_divisor};
 use crate::trace::Moments;
 
@@ -61,18 +61,14 @@ impl State {
     }
 
     /// `x ↦ A x + B u`, `P ↦ A P Aᵀ + D Dᵀ`: no elimination, so the divisor stays.
-    pub(super) fn propagated(&self, transition: &Transition<Rational>) -> Self {
-        let a = Fractions::of(&transition.matrix);
-        let noise = Fractions::of(&transition.noise);
-        let input = Fractions::of(&-&transition.input);
-        let w = least_common_multiple(&a.denominator * &a.denominator, &noise.denominator);
-        let z = least_common_multiple(a.denominator.clone(), &input.denominator);
-        let lower = image::covariance(self, &a, &noise, &w, |_, _| true);
+    pub(super) fn propagated(&self, transition: &Law) -> Self {
+        let (w, z) = (transition.scale(), transition.mean_scale());
+        let lower = image::covariance(self, &transition.map, &transition.noise, &w, |_, _| true);
         Self {
             numerators: Matrix::from_fn(lower.rows(), lower.rows(), |i, j| lower[(i.max(j), i.min(j))].clone()),
             scale: &self.scale * w,
             divisor: self.divisor.clone(),
-            mean_numerators: image::mean(self, &a, &input, &z),
+            mean_numerators: image::mean(self, &transition.map, &transition.constant, &z),
             mean_scale: &self.mean_scale * z,
         }
         .reduced()
