@@ -1,9 +1,12 @@
 //! The integer kernel equals the recursion, value by value.
 
 use exact_kalman::filter::{Effort, RationalFilterError, Route, StepValues, StopReason, filter, filter_rational};
-use exact_kalman::model::Path;
+use exact_kalman::matrix::Matrix;
+use exact_kalman::model::{Before, Initial, Noise, Observation, Path, System, Timing};
 use exact_kalman::scalar::{Precision, Rational, Scalar, ratio};
 use exact_kalman::trace::{Quantity, Values};
+use num_bigint::BigInt;
+use num_integer::Integer;
 use proptest::prelude::*;
 
 use super::draws::draws;
@@ -74,6 +77,154 @@ proptest! {
                 prop_assert_eq!(slow.computed.len(), computed.len());
             }
             (slow, fast) => prop_assert!(false, "recursion {slow:?}, integers {fast:?}"),
+        }
+    }
+}
+
+/// Entries that are all different and rarely zero, from a linear congruence.
+struct Dense {
+    state: u64,
+    entry: fn(u64) -> Rational,
+}
+
+/// Small integers over 1, …, 10.
+fn small(drawn: u64) -> Rational {
+    over(drawn, 1 + i64::try_from(drawn / 21 % 10).unwrap_or(0))
+}
+
+/// Doubles in (−1, 1).
+fn double(drawn: u64) -> Rational {
+    let half = i64::try_from(drawn % (1 << 53)).unwrap_or(0) - (1 << 52);
+    ratio(half, 1 << 52)
+}
+
+fn over(drawn: u64, denominator: i64) -> Rational {
+    ratio(i64::try_from(drawn % 21).unwrap_or(0) - 10, denominator)
+}
+
+impl Dense {
+    fn new(entry: fn(u64) -> Rational) -> Self {
+        Self { state: 1, entry }
+    }
+
+    fn matrix(&mut self, rows: usize, columns: usize) -> Matrix<Rational> {
+        Matrix::from_fn(rows, columns, |_, _| {
+            self.state = self.state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.entry)(self.state >> 11)
+        })
+    }
+
+    fn system(&mut self, timing: Timing, n: usize, m: usize) -> System<Rational> {
+        let before = if timing == Timing::Arriving { Before::Transition } else { Before::Observation };
+        System {
+            timing,
+            initial: Initial::new(before, self.matrix(n, 1), Matrix::identity(n)),
+            transition: self.matrix(n, n).into(),
+            observation: self.matrix(m, n).into(),
+            noise: Noise::Factors { process: self.matrix(n, n + m).into(), observation: self.matrix(m, n + m).into() },
+            input: None,
+            observation_input: None,
+        }
+    }
+
+    /// A path whose last sensor repeats the first one, with gaps.
+    fn path_with_gaps(&mut self, timing: Timing, steps: usize, contradiction: Option<usize>) -> Path<Rational> {
+        let (n, m) = (3, 2);
+        let repeated = |matrix: Matrix<Rational>| matrix.above(&matrix.select_rows(&[0]));
+        let mut system = self.system(timing, n, m);
+        system.observation = repeated(self.matrix(m, n)).into();
+        system.noise = Noise::Factors {
+            process: self.matrix(n, n + m).into(),
+            observation: repeated(self.matrix(m, n + m)).into(),
+        };
+        let readings: Vec<_> = (0..steps)
+            .map(|k| {
+                let mut reading = repeated(self.matrix(m, 1));
+                if contradiction == Some(k) {
+                    reading[(m, 0)] = reading[(m, 0)].plus(&ratio(1, 1 << 40));
+                }
+                let seen = |i: usize| match k % 7 {
+                    2 => i != 0,
+                    4 => i != 1,
+                    5 => false,
+                    _ => true,
+                };
+                Observation::new((0..=m).map(|i| seen(i).then(|| reading[(i, 0)].clone())).collect())
+            })
+            .collect();
+        system.realised(&readings).unwrap()
+    }
+}
+
+const TIMINGS: [Timing; 2] = [Timing::Arriving, Timing::Departing];
+
+/// CKS-3, CKS-4: also where numbers are so long that quotients are worked out modulo powers of two, with innovations
+/// that are singular and readings that are missing.
+#[test]
+fn long_numbers_eq_recursion() {
+    for (entry, steps) in [(small as fn(u64) -> Rational, 24), (double, 8), (|drawn| over(drawn, 7), 48)] {
+        for timing in TIMINGS {
+            let path = Dense::new(entry).path_with_gaps(timing, steps, None);
+            let trace = filter(&path).unwrap();
+            let fast = solved(&path, Precision::Exact).unwrap();
+            assert_eq!(fast.len(), steps);
+            for (fast, record) in fast.into_iter().zip(&trace.records) {
+                assert!(fast.values == without_gain(record.values()), "they differ");
+                assert_eq!(fast.innovation_rank, record.innovation_covariance.rank());
+            }
+            let bits = trace.records[steps - 1].filtered.covariance[(0, 0)].denom().bits();
+            assert!(bits > 1_200, "the numbers have {bits} bits only");
+        }
+    }
+}
+
+/// A contradiction of 2⁻⁴⁰ is seen among long numbers.
+#[test]
+fn late_contradictions_are_found_by_both() {
+    for timing in TIMINGS {
+        let path = Dense::new(small).path_with_gaps(timing, 40, Some(36));
+        let slow = filter(&path).unwrap_err();
+        let fast = solved(&path, Precision::Exact).unwrap_err();
+        assert_eq!((slow.step, fast.step), (36, 36));
+        assert_eq!(StopReason::from(slow.source), fast.reason);
+    }
+}
+
+/// The least common denominator.
+fn in_lowest_terms(matrix: &Matrix<Rational>) -> u64 {
+    matrix.entries().iter().fold(BigInt::from(1), |all, entry| all.lcm(entry.denom())).bits()
+}
+
+/// Whatever the denominators of the data, those of the states stay next to lowest terms, and so grow linearly.
+#[test]
+fn denominators_are_next_to_those_in_lowest_terms() {
+    let entries: [fn(u64) -> Rational; 7] = [
+        |drawn| over(drawn, 3),
+        |drawn| over(drawn, 5),
+        |drawn| over(drawn, 7),
+        |drawn| over(drawn, 10),
+        |drawn| over(drawn, 10_007),
+        small,
+        double,
+    ];
+    let steps = 16;
+    for (kind, entry) in entries.into_iter().enumerate() {
+        for (timing, n) in TIMINGS.into_iter().zip([2, 4]) {
+            let mut dense = Dense::new(entry);
+            let system = dense.system(timing, n, n / 2);
+            let readings: Vec<_> =
+                (0..steps).map(|_| Observation::complete(dense.matrix(n / 2, 1).entries().to_vec())).collect();
+            let path = system.realised(&readings).unwrap();
+            let effort = Effort { route: Route::FractionFree, ..Effort::default() };
+            let values = filter_rational(&path, effort).unwrap();
+            for quantity in [Quantity::FilteredMean, Quantity::FilteredCovariance] {
+                let bits = |k: usize| values[k].values[&quantity].denominator.bits();
+                let least = in_lowest_terms(&values[steps - 1].exactly(quantity).unwrap());
+                let all = bits(steps - 1);
+                assert!(100 * all <= 102 * least, "kind {kind}, {timing:?}: {all} bits instead of {least}");
+                let half = bits(steps / 2 - 1);
+                assert!(10 * all <= 23 * half, "kind {kind}, {timing:?}: {half} bits became {all}");
+            }
         }
     }
 }

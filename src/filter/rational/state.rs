@@ -135,3 +135,50 @@ fn odd_part(number: &BigInt) -> BigInt {
         None => BigInt::one(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use num_integer::Integer;
+    use num_traits::Signed;
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Products of small primes, some of them to high powers.
+    fn smooth() -> impl Strategy<Value = BigInt> {
+        proptest::collection::vec((0usize..5, 0u32..40), 0..4).prop_map(|powers| {
+            let primes = [2u32, 3, 5, 7, 10_007];
+            powers.into_iter().fold(BigInt::one(), |all, (prime, power)| all * BigInt::from(primes[prime]).pow(power))
+        })
+    }
+
+    proptest! {
+        /// Reducing changes no value, leaves the divisor coprime to both scales, and nothing to cancel.
+        #[test]
+        fn reduced_is_the_same_with_a_coprime_divisor(
+            scales in [smooth(), smooth()], divisor in smooth(), factors in [smooth(), smooth()], entries in proptest::array::uniform4(-9i64..10),
+        ) {
+            let [scale, mean_scale] = scales;
+            let [p, x] = factors;
+            let [a, b, c, y] = entries;
+            let state = State {
+                numerators: Matrix::from_integers(&[[a, b], [b, c]]).scaled(&p),
+                scale,
+                divisor: divisor * 11,
+                mean_numerators: Matrix::from_integers(&[[y], [0]]).scaled(&x),
+                mean_scale,
+            };
+            let reduced = state.clone().reduced();
+            let (before, after) = (state.moments(), reduced.moments());
+            prop_assert_eq!(before.mean, after.mean);
+            prop_assert_eq!(before.covariance, after.covariance);
+            prop_assert!(reduced.divisor.is_positive());
+            let lowest = |scale: &BigInt, numerators: &Matrix<BigInt>| {
+                let content = numerators.entries().iter().fold(scale.clone(), |shared, entry| shared.gcd(entry));
+                scale.gcd(&reduced.divisor).is_one() && content.is_one()
+            };
+            prop_assert!(lowest(&reduced.scale, &reduced.numerators));
+            prop_assert!(lowest(&reduced.mean_scale, &reduced.mean_numerators));
+        }
+    }
+}
