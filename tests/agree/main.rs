@@ -8,7 +8,7 @@ mod beyond;
 mod diffuse;
 mod draws;
 mod feedback;
-mod fraction_free;
+
 mod gain;
 mod growth;
 mod identify;
@@ -21,6 +21,7 @@ mod past;
 mod prediction_error;
 mod quadrature;
 mod random_modes;
+mod rational_routes;
 mod residues;
 mod systems;
 mod timing;

@@ -8,23 +8,9 @@ use exact_kalman::scalar::{Precision, Rational, ratio};
 use exact_kalman::trace::Quantity;
 use num_bigint::BigInt;
 
-type Q = Matrix<Rational>;
+use super::rational_routes::{Dense, double};
+
 type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-/// Full words from a linear congruence, as odd multiples of powers of two: doubles have such significands.
-struct Significands(u64);
-
-impl Significands {
-    fn next(&mut self) -> Rational {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        let significand = i64::try_from(self.0 >> 11).expect("53 bits") - (1 << 52);
-        Rational::new(significand.into(), BigInt::from(1) << (52 + (self.0 >> 3) % 5))
-    }
-
-    fn matrix(&mut self, rows: usize, columns: usize) -> Q {
-        Matrix::from_fn(rows, columns, |_, _| self.next())
-    }
-}
 
 /// The k-th of the primes that the route uses.
 fn prime(k: usize) -> Rational {
@@ -55,22 +41,10 @@ fn assert_equal(left: &[RationalStep], right: &[RationalStep]) {
 fn long_numbers_agree_with_elimination_on_integers() -> Outcome {
     for (n, m, steps) in [(1, 1, 40), (2, 1, 40), (3, 2, 20), (4, 4, 10), (5, 3, 10)] {
         for timing in [Timing::Arriving, Timing::Departing] {
-            let mut draw = Significands(n as u64);
-            let before = if timing == Timing::Arriving { Before::Transition } else { Before::Observation };
-            let system = System {
-                timing,
-                initial: Initial::new(before, draw.matrix(n, 1), Matrix::identity(n)),
-                transition: draw.matrix(n, n).into(),
-                observation: draw.matrix(m, n).into(),
-                noise: Noise::Factors {
-                    process: draw.matrix(n, n + m).into(),
-                    observation: draw.matrix(m, n + m).into(),
-                },
-                input: None,
-                observation_input: None,
-            };
+            let mut dense = Dense::new(double);
+            let system = dense.system(timing, n, m);
             let readings: Vec<_> =
-                (0..steps).map(|_| Observation::complete((0..m).map(|_| draw.next()).collect::<Vec<_>>())).collect();
+                (0..steps).map(|_| Observation::complete(dense.matrix(m, 1).entries().to_vec())).collect();
             let path = system.realised(&readings)?;
             let modular = by(&path, Route::Multimodular)?;
             let last = &modular[steps - 1].values[&Quantity::FilteredCovariance].denominator;
@@ -87,7 +61,7 @@ fn awkward(
     transition: &[Rational],
     readings: &[Rational],
 ) -> Result<Path<Rational>, Box<dyn std::error::Error>> {
-    let mut draw = Significands(7);
+    let mut draw = Dense::new(double);
     let base = draw.matrix(2, 2);
     let process = draw.matrix(2, 2);
     let moved = |factor: &Rational| base.scaled(factor);

@@ -1,8 +1,12 @@
 //! The joint covariance of observed entries and targets in integers, and its elimination.
 
+use std::ops::Range;
+
 use num_bigint::{BigInt, Sign};
 use num_traits::Zero;
 
+use super::exact_division::Minors;
+use super::image;
 use super::law::Law;
 use super::state::State;
 use crate::matrix::{Fractions, Matrix};
@@ -32,15 +36,13 @@ pub(super) struct Joint<'a> {
 }
 
 impl<'a> Joint<'a> {
-    /// `J = (w/e²) Eᵢ N Eᵢᵀ + u d Qᵢ`, and the column `constant − E x`.
+    /// `J = (w/e²) Eᵢ N Eᵢᵀ + u d Qᵢ`, its lower triangle, and the column `E x − constant`.
     pub(super) fn of(state: &State, law: &'a Law) -> Self {
-        let (e, w, z) = (&law.map.denominator, law.scale(), law.mean_scale());
-        let seen = law.map.numerators.congruence(&state.numerators).scaled(&(&w / (e * e)));
-        let moved = (&law.map.numerators * &state.mean_numerators).scaled(&(&z / e));
+        let (w, z) = (law.scale(), law.mean_scale());
         Self {
-            covariance: seen + law.noise.over(&w).scaled(&(&state.scale * &state.divisor)),
+            covariance: image::covariance(state, &law.map, &law.noise, &w, |i, j| law.is_needed(i, j)),
             scale: &state.scale * w,
-            column: law.constant.over(&z).scaled(&(&state.mean_scale * &state.divisor)) - moved,
+            column: image::mean(state, &law.map, &law.constant, &z),
             mean_scale: &state.mean_scale * z,
             divisor: state.divisor.clone(),
             law,
@@ -50,8 +52,8 @@ impl<'a> Joint<'a> {
     /// The innovation and its covariance, before the elimination; nothing if nothing is observed.
     pub(super) fn innovation(&self) -> Option<[Fractions; 2]> {
         let m = Some(self.law.observed).filter(|observed| *observed > 0)?;
-        let innovation = self.column.block(0..m, 0..1);
-        let covariance = self.covariance.block(0..m, 0..m);
+        let innovation = -self.column.block(0..m, 0..1);
+        let covariance = self.symmetric(0..m);
         Some([
             Fractions { numerators: innovation, denominator: &self.mean_scale * &self.divisor },
             Fractions { numerators: covariance, denominator: &self.scale * &self.divisor },
@@ -85,32 +87,49 @@ impl<'a> Joint<'a> {
 
     /// Bareiss' step on the lower triangle; blocks between two targets are not needed.
     fn eliminate(&mut self, row: usize) {
-        let pivot = self.covariance[(row, row)].clone();
         let size = self.covariance.rows();
-        let factors: Vec<BigInt> = (0..size).map(|i| self.covariance[(i.max(row), i.min(row))].clone()).collect();
-        let head = self.column[(row, 0)].clone();
-        for i in row + 1..size {
-            for j in row + 1..=i {
-                if j < self.law.observed || self.law.target_of(i) == self.law.target_of(j) {
-                    let minor = &pivot * &self.covariance[(i, j)] - &factors[i] * &factors[j];
-                    self.covariance[(i, j)] = minor / &self.divisor;
+        let pivot = std::mem::take(&mut self.covariance[(row, row)]);
+        let head = std::mem::take(&mut self.column[(row, 0)]);
+        // Nothing reads the column of a pivot again.
+        let factors: Vec<BigInt> = (row + 1..size).map(|i| std::mem::take(&mut self.covariance[(i, row)])).collect();
+        let minors = Minors::of(&pivot, &self.divisor, self.numerator_bits(row, &pivot, &factors, &head));
+        for (i, factor) in (row + 1..).zip(&factors) {
+            let minors = minors.row(factor);
+            for (j, other) in (row + 1..=i).zip(&factors) {
+                if self.law.is_needed(i, j) {
+                    self.covariance[(i, j)] = minors.quotient(&self.covariance[(i, j)], other);
                 }
             }
-            self.column[(i, 0)] = (&pivot * &self.column[(i, 0)] - &factors[i] * &head) / &self.divisor;
+            self.column[(i, 0)] = minors.quotient(&self.column[(i, 0)], &head);
         }
         self.divisor = pivot;
     }
 
+    /// A bound for the length of `p a − q b` over all that a pivot changes.
+    fn numerator_bits(&self, row: usize, pivot: &BigInt, factors: &[BigInt], head: &BigInt) -> u64 {
+        let longest = |numbers: &mut dyn Iterator<Item = &BigInt>| numbers.map(BigInt::bits).max().unwrap_or(0);
+        let below = row + 1..self.covariance.rows();
+        let entries =
+            below.clone().flat_map(|i| (row + 1..=i).map(move |j| (i, j))).map(|place| &self.covariance[place]);
+        let left = longest(&mut entries.chain(below.map(|i| &self.column[(i, 0)])));
+        let factor = longest(&mut factors.iter());
+        1 + (pivot.bits() + left).max(factor + factor.max(head.bits()))
+    }
+
+    fn symmetric(&self, rows: Range<usize>) -> Matrix<BigInt> {
+        let (first, n) = (rows.start, rows.len());
+        Matrix::from_fn(n, n, |i, j| self.covariance[(first + i.max(j), first + i.min(j))].clone())
+    }
+
     fn target(&self, target: usize) -> State {
         let rows = self.law.target(target);
-        let (first, n) = (rows.start, rows.len());
         State {
-            numerators: Matrix::from_fn(n, n, |i, j| self.covariance[(first + i.max(j), first + i.min(j))].clone()),
+            numerators: self.symmetric(rows.clone()),
             scale: self.scale.clone(),
             divisor: self.divisor.clone(),
-            mean_numerators: -self.column.block(rows, 0..1),
+            mean_numerators: self.column.block(rows, 0..1),
             mean_scale: self.mean_scale.clone(),
         }
-        .without_twos()
+        .reduced()
     }
 }

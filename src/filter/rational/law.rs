@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 
 use super::Sensors;
 use crate::matrix::{Fractions, Matrix, least_common_multiple};
-use crate::model::{Step, Timing};
+use crate::model::{Step, Timing, Transition};
 use crate::scalar::Rational;
 
 /// `(y, x, x₊) = E x₋ + noise`: the observed entries first, then x_k, then x_{k+1} where the transition departs from k.
@@ -34,7 +34,7 @@ impl Law {
         let zeros = Matrix::zeros(n, n);
         let mut map = sensors.matrix.above(&Matrix::identity(n));
         let mut covariance = noise.beside(&shared.transpose()).above(&shared.beside(&zeros));
-        let departing = step.transition.as_ref().filter(|_| timing == Timing::Departing);
+        let departing = departing(step, timing);
         if let Some(transition) = departing {
             let cross = &sensors.cross_noise;
             map = map.above(&transition.matrix);
@@ -48,19 +48,30 @@ impl Law {
             targets: 1 + usize::from(departing.is_some()),
             map: Fractions::of(&map),
             noise: Fractions::of(&covariance),
-            constant: Fractions::of(&Self::constant(step, timing)),
+            constant: constant(step, timing),
         }
     }
 
-    /// What is subtracted from E x₋.
-    pub(super) fn constant(step: &Step<Rational>, timing: Timing) -> Matrix<Rational> {
-        let sensors = Sensors::of(step);
-        let n = sensors.matrix.columns();
-        let constant = (&sensors.values - &sensors.input).above(&Matrix::zeros(n, 1));
-        match step.transition.as_ref().filter(|_| timing == Timing::Departing) {
-            Some(transition) => constant.above(&-&transition.input),
-            None => constant,
+    /// The law of a transition alone: one target and nothing observed.
+    pub(super) fn of_transition(transition: &Transition<Rational>) -> Self {
+        Self {
+            observed: 0,
+            states: transition.matrix.rows(),
+            targets: 1,
+            map: Fractions::of(&transition.matrix),
+            noise: Fractions::of(&transition.noise),
+            constant: Fractions::of(&-&transition.input),
         }
+    }
+
+    /// This law with the reading and the inputs of another step.
+    pub(super) fn of_data(self, step: &Step<Rational>, timing: Timing) -> Self {
+        Self { constant: constant(step, timing), ..self }
+    }
+
+    /// This law of a transition with the input of another.
+    pub(super) fn of_input(self, transition: &Transition<Rational>) -> Self {
+        Self { constant: Fractions::of(&-&transition.input), ..self }
     }
 
     /// w, a common denominator of E ⊗ E and of the noise.
@@ -79,8 +90,28 @@ impl Law {
         first..first + self.states
     }
 
+    /// Whether an entry of the joint covariance is needed: those between two targets are not.
+    pub(super) fn is_needed(&self, i: usize, j: usize) -> bool {
+        i.min(j) < self.observed || self.target_of(i) == self.target_of(j)
+    }
+
     /// The target to which a row belongs, if it is not an observed entry.
     pub(super) fn target_of(&self, row: usize) -> Option<usize> {
         row.checked_sub(self.observed).map(|place| place / self.states)
+    }
+}
+
+/// The transition that departs from a step.
+fn departing(step: &Step<Rational>, timing: Timing) -> Option<&Transition<Rational>> {
+    step.transition.as_ref().filter(|_| timing == Timing::Departing)
+}
+
+fn constant(step: &Step<Rational>, timing: Timing) -> Fractions {
+    let observed = step.reading.present();
+    let seen = step.reading.values() - step.observation_input.select_rows(&observed);
+    let constant = seen.above(&Matrix::zeros(step.observation.columns(), 1));
+    match departing(step, timing) {
+        Some(transition) => Fractions::of(&constant.above(&-&transition.input)),
+        None => Fractions::of(&constant),
     }
 }

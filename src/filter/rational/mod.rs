@@ -8,8 +8,8 @@
 //! Symmetric fraction-free elimination of the entries of y, *with d as its first divisor*, leaves N₊ in place of
 //! a target: `P₊ = N₊ / (w u d₊)`, d₊ the last pivot. All divisions are exact: the k-minors of N are divisible by
 //! d^(k−1), since N is itself what an elimination with last pivot d has left (Sylvester's identity), and both
-//! terms of J keep that. The mean is one more column. Powers of two, all that doubles have in their denominators,
-//! are moved from d to u and cancelled by shifts.
+//! terms of J keep that. The mean is one more column. What d has of the primes of u, which are
+//! those of the data's denominators, is moved from d to u and cancelled: no number grows faster than lowest terms do.
 //!
 //! A zero pivot of a positive semidefinite J has a zero row: it is passed over, and the innovation must vanish
 //! there, else the data have probability zero.
@@ -17,7 +17,10 @@
 mod effort;
 mod elimination;
 mod error;
+mod exact_division;
+mod image;
 mod law;
+mod laws;
 mod residues;
 mod state;
 mod step;
@@ -27,15 +30,15 @@ use std::collections::BTreeMap;
 pub use effort::{Effort, Route, Wanted};
 use elimination::{Eliminated, Joint, Stop};
 pub use error::{RationalFilterError, StopReason};
-use law::Law;
-use residues::{Residues, Steps};
+use laws::{Laws, StepLaws};
+use residues::Residues;
 use state::State;
 pub use step::{RationalStep, StepValues};
 
 use super::recursion::Recursion;
 use super::update::{Sensors, update};
 use crate::matrix::{Fractions, Matrix};
-use crate::model::{Path, Step, Timing, Transition};
+use crate::model::{Path, Step, Timing};
 use crate::scalar::Rational;
 use crate::trace::{Moments, Quantity, Record};
 
@@ -67,6 +70,7 @@ pub fn filter_rational(path: &Path<Rational>, effort: Effort) -> Result<Vec<Rati
 pub struct RationalFilter<'a> {
     path: &'a Path<Rational>,
     effort: Effort,
+    laws: Laws<'a>,
     stage: Stage,
     /// Images of the state modulo primes, if they have followed it.
     residues: Option<Residues>,
@@ -92,7 +96,8 @@ impl<'a> RationalFilter<'a> {
     pub fn new(path: &'a Path<Rational>, effort: Effort) -> Self {
         let start = Recursion::new(path);
         let predicted_already = start.is_predicted();
-        Self { path, effort, stage: Stage::Fractions(Box::new(start), 0), residues: None, done: 0, predicted_already }
+        let stage = Stage::Fractions(Box::new(start), 0);
+        Self { path, effort, laws: Laws::default(), stage, residues: None, done: 0, predicted_already }
     }
 
     /// The length in bits of the denominators of the state's covariance.
@@ -104,7 +109,7 @@ impl<'a> RationalFilter<'a> {
         }
     }
 
-    fn advance(&mut self, step: &Step<Rational>) -> Option<Result<RationalStep, StopReason>> {
+    fn advance(&mut self, step: &'a Step<Rational>) -> Option<Result<RationalStep, StopReason>> {
         match std::mem::replace(&mut self.stage, Stage::Ended) {
             Stage::Fractions(start, bits) => {
                 match start.plain_state().filter(|_| !self.path.initial().allow_indefinite) {
@@ -133,22 +138,23 @@ impl<'a> RationalFilter<'a> {
         Ok(Some(RationalStep::of(&record)))
     }
 
-    fn on_integers(&mut self, state: &State, step: &Step<Rational>) -> Result<RationalStep, StopReason> {
+    fn on_integers(&mut self, state: &State, step: &'a Step<Rational>) -> Result<RationalStep, StopReason> {
         self.within(state.bits(), 1)?;
         let timing = self.path.timing();
         let transition = step.transition.as_ref().filter(|_| timing == Timing::Arriving && !self.predicted_already);
         self.predicted_already = timing == Timing::Departing;
-        let advanced = if self.is_modular(state, step) {
-            self.modular(state, step, transition)
-        } else {
+        let is_modular = self.is_modular(state, step);
+        let laws = self.laws.of(step, transition, timing);
+        let residues = if is_modular { Some(self.residues.get_or_insert_default()) } else { None };
+        let (results, next) = match residues {
+            Some(residues) => modular(residues, state, laws, timing, self.effort.wanted),
+            None => fraction_free(state, laws, timing, self.effort.wanted),
+        }
+        .map_err(|Stop| reason(&laws.predicted(state), step, timing))?;
+        if !is_modular {
+            // They have not followed.
             self.residues = None;
-            let propagated = transition.map(|transition| state.propagated(transition));
-            fraction_free(propagated.as_ref().unwrap_or(state), step, timing, self.effort.wanted)
-        };
-        let (results, next) = advanced.map_err(|Stop| {
-            let propagated = transition.map(|transition| state.propagated(transition));
-            reason(propagated.as_ref().unwrap_or(state), step, timing)
-        })?;
+        }
         self.stage = next.map_or(Stage::Ended, |state| Stage::Integers(Box::new(state)));
         Ok(results)
     }
@@ -162,26 +168,6 @@ impl<'a> RationalFilter<'a> {
                 Route::FractionFree => false,
                 Route::Multimodular => true,
             }
-    }
-
-    fn modular(
-        &mut self,
-        state: &State,
-        step: &Step<Rational>,
-        transition: Option<&Transition<Rational>>,
-    ) -> Result<Advanced, Stop> {
-        let timing = self.path.timing();
-        let before = self.residues.as_ref().and_then(|_| self.path.steps().get(self.done.checked_sub(2)?));
-        let steps = Steps { before, step, timing, propagate: transition.is_some() };
-        let eliminated = self.residues.get_or_insert_default().advance(state, steps)?;
-        let mut values = BTreeMap::new();
-        if self.effort.wanted == Wanted::Everything {
-            let propagated = transition.map(|transition| state.propagated(transition));
-            let predicted = propagated.as_ref().unwrap_or(state);
-            let law = Law::of(step, timing);
-            insert_predicted(&mut values, predicted, &Joint::of(predicted, &law));
-        }
-        Ok(handed_out(values, eliminated, timing))
     }
 
     /// Whether a length is within the limit, or within such a part of it.
@@ -205,14 +191,31 @@ impl Iterator for RationalFilter<'_> {
 }
 
 /// One observation, by elimination on integers.
-fn fraction_free(predicted: &State, step: &Step<Rational>, timing: Timing, wanted: Wanted) -> Result<Advanced, Stop> {
-    let law = Law::of(step, timing);
-    let joint = Joint::of(predicted, &law);
+fn fraction_free(state: &State, laws: StepLaws<'_>, timing: Timing, wanted: Wanted) -> Result<Advanced, Stop> {
+    let predicted = laws.predicted(state);
+    let joint = Joint::of(&predicted, laws.observation);
     let mut values = BTreeMap::new();
     if wanted == Wanted::Everything {
-        insert_predicted(&mut values, predicted, &joint);
+        insert_predicted(&mut values, &predicted, &joint);
     }
     Ok(handed_out(values, joint.eliminated()?, timing))
+}
+
+/// One observation, modulo primes; what is handed out of the time before it is worked out on integers.
+fn modular(
+    residues: &mut Residues,
+    state: &State,
+    laws: StepLaws<'_>,
+    timing: Timing,
+    wanted: Wanted,
+) -> Result<Advanced, Stop> {
+    let eliminated = residues.advance(state, laws)?;
+    let mut values = BTreeMap::new();
+    if wanted == Wanted::Everything {
+        let predicted = laws.predicted(state);
+        insert_predicted(&mut values, &predicted, &Joint::of(&predicted, laws.observation));
+    }
+    Ok(handed_out(values, eliminated, timing))
 }
 
 fn insert_predicted(values: &mut BTreeMap<Quantity, Fractions>, predicted: &State, joint: &Joint<'_>) {

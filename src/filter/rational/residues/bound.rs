@@ -11,9 +11,9 @@
 use num_bigint::BigInt;
 use num_traits::Zero;
 
+use super::super::law::Law;
+use super::super::laws::StepLaws;
 use super::super::state::State;
-use super::words::{Coefficients, Constants};
-use crate::matrix::Fractions;
 
 /// The b of a bound 2^b; nothing for zero.
 type Exponent = Option<i64>;
@@ -71,7 +71,8 @@ impl Magnitudes {
     /// The image under an affine map with independent noise.
     ///
     /// `(∑ m_a √P_aa)² ≤ 2^(2c) max m_a² P_aa` for at most 2^c summands.
-    fn image(&self, map: &Fractions, noise: &Fractions, constant: &Fractions) -> Self {
+    fn image(&self, law: &Law) -> Self {
+        let Law { map, noise, constant, .. } = law;
         let entry = |i: usize, a: usize| quotient(&map.numerators[(i, a)], &map.denominator);
         let rows = 0..map.numerators.rows();
         let variance = |i: usize| {
@@ -90,18 +91,11 @@ impl Magnitudes {
 }
 
 /// A b such that all integers of a step, those that turn out to be zero included, are below 2^b in magnitude.
-pub(super) fn length(
-    state: &State,
-    coefficients: &Coefficients,
-    constants: &Constants,
-    [scale, mean_scale]: &[BigInt; 2],
-) -> u64 {
-    let mut before = Magnitudes::of(state);
-    if let (Some((a, noise)), Some(input)) = (&coefficients.transition, &constants.input) {
-        before = before.image(a, noise, input);
-    }
-    let law = &coefficients.law;
-    let joint = before.image(&law.map, &law.noise, &constants.law);
+pub(super) fn length(state: &State, laws: StepLaws<'_>, [scale, mean_scale]: &[BigInt; 2]) -> u64 {
+    let law = laws.observation;
+    let before = Magnitudes::of(state);
+    let predicted = laws.transition.map(|transition| before.image(transition));
+    let joint = predicted.unwrap_or(before).image(law);
     let (scale, mean_scale, divisor) = (bits(scale), bits(mean_scale), bits(&state.divisor));
     // A row without a pivot is no factor of the determinant: each factor counts as one at least.
     let factors: Vec<i64> =

@@ -1,7 +1,7 @@
 //! The state of the filter modulo one prime.
 
 use super::joint::{Elimination, Joint};
-use super::words::{CoefficientWords, Constants, StateDigits, Words};
+use super::words::{CoefficientWords, ConstantWords, StateDigits, Words};
 use crate::modular::{Digits, PrimeField};
 
 /// The coefficients of a step in one field.
@@ -80,7 +80,7 @@ pub(super) struct Image {
 #[derive(Debug)]
 pub(super) struct Moment<'a> {
     pub(super) shape: Shape,
-    pub(super) constants: &'a Constants,
+    pub(super) constants: &'a ConstantWords,
     /// w u and z uₓ: the scales of the covariances and of the means of this step.
     pub(super) scales: &'a [Digits; 2],
     /// The factor by which the divisors of the images exceed the exact one.
@@ -132,10 +132,10 @@ impl Image {
         let Moment { shape, constants, scales: [scale, mean_scale], pending } = moment;
         let coefficients = self.coefficients.as_ref()?;
         if let Some((a, q)) = &coefficients.transition {
-            constants.input_words.as_ref()?.put_forms(field, &self.powers, joint.constant())?;
+            constants.transition.as_ref()?.put_forms(field, &self.powers, joint.constant())?;
             joint.propagate(field, a, q, &mut self.covariance, &mut self.mean);
         }
-        constants.law_words.put_forms(field, &self.powers, joint.constant())?;
+        constants.observation.put_forms(field, &self.powers, joint.constant())?;
         joint.assemble(field, coefficients, &self.covariance, &self.mean, *shape);
         let Elimination { pivots, settled, total, product_of_totals } = joint.eliminate(field, *shape);
 

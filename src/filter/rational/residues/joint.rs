@@ -37,12 +37,12 @@ impl Joint {
         &mut self.constant
     }
 
-    /// `x ↦ A x + constant`, `P ↦ A P Aᵀ + Q`.
+    /// `x ↦ A x − constant`, `P ↦ A P Aᵀ + Q`.
     pub(super) fn propagate(&mut self, field: &PrimeField, a: &[u64], q: &[u64], p: &mut [u64], x: &mut Vec<u64>) {
         let n = x.len();
         self.column.clear();
         let rows = a.chunks_exact(n).zip(&self.constant);
-        self.column.extend(rows.map(|(row, constant)| field.sum(field.inner_product(row, x), *constant)));
+        self.column.extend(rows.map(|(row, constant)| field.difference(field.inner_product(row, x), *constant)));
         std::mem::swap(x, &mut self.column);
         self.move_by(field, a, p, n);
         for i in 0..n {

@@ -20,14 +20,13 @@ use num_traits::One;
 use rayon::prelude::*;
 
 use super::elimination::{Eliminated, Stop};
+use super::laws::StepLaws;
 use super::state::State;
-use crate::matrix::{Matrix, least_common_multiple};
-use crate::model::{Step, Timing};
+use crate::matrix::Matrix;
 use crate::modular::{Basis, Digits, PRIME_BITS, PrimeField, Primes};
-use crate::scalar::Rational;
 use image::{Found, Image, Moment, Shape};
 use joint::Joint;
-use words::{Coefficients, Constants, StateDigits};
+use words::{CoefficientWords, ConstantWords, StateDigits};
 
 /// Work, in products of words, below which a second core is not worth its call.
 const PARALLEL: usize = 1 << 16;
@@ -38,7 +37,8 @@ pub(super) struct Residues {
     primes: Primes,
     basis: Basis,
     images: Vec<Image>,
-    coefficients: Option<Coefficients>,
+    /// The coefficients that the images have, with their number.
+    coefficients: Option<(u64, CoefficientWords)>,
     /// The factor by which the divisors of the images exceed that of the exact state.
     pending: BigInt,
 }
@@ -55,38 +55,26 @@ impl Default for Residues {
     }
 }
 
-/// A step, and the one before it if the images have made that.
-#[derive(Clone, Copy)]
-pub(super) struct Steps<'a> {
-    pub(super) before: Option<&'a Step<Rational>>,
-    pub(super) step: &'a Step<Rational>,
-    pub(super) timing: Timing,
-    /// Whether the state must first be moved by the transition of the step.
-    pub(super) propagate: bool,
-}
-
 impl Residues {
     /// The states after a step, given the exact one before it.
-    pub(super) fn advance(&mut self, state: &State, steps: Steps<'_>) -> Result<Eliminated, Stop> {
-        let Steps { step, timing, propagate, .. } = steps;
-        let kept = self.coefficients.take().filter(|kept| kept.serve(steps));
-        let is_new = kept.is_none();
-        let coefficients = kept.unwrap_or_else(|| Coefficients::of(step, timing, propagate));
-        let constants = Constants::of(step, timing, propagate);
-        let scales = scales(state, &coefficients, &constants);
-        let length = bound::length(state, &coefficients, &constants, &scales);
-        let law = &coefficients.law;
+    pub(super) fn advance(&mut self, state: &State, laws: StepLaws<'_>) -> Result<Eliminated, Stop> {
+        let law = laws.observation;
         let shape = Shape { states: law.states, observed: law.observed, targets: law.targets };
+        let scales = scales(state, laws);
+        let length = bound::length(state, laws, &scales);
+        let kept = self.coefficients.take().filter(|(generation, _)| *generation == laws.generation);
+        let is_new = kept.is_none();
+        let coefficients = kept.map_or_else(|| CoefficientWords::of(laws), |(_, words)| words);
+        let constants = ConstantWords::of(laws);
 
         let data = [Digits::from(&scales[0]), Digits::from(&scales[1])];
-        let longest = data.iter().map(Digits::len).chain([coefficients.words.longest(), constants.longest()]).max();
-        let powers = longest.unwrap_or(1).max(Digits::from(&self.pending).len());
+        let pending = Digits::from(&self.pending);
+        let longest = data.iter().chain([&pending]).map(Digits::len);
+        let longest = longest.chain([coefficients.longest(), constants.longest()]).max();
+        let powers = longest.unwrap_or(1);
         if is_new || self.images.iter().any(|image| image.powers.len() < powers) {
             let (images, fields) = (&mut self.images, self.basis.fields());
-            images
-                .par_iter_mut()
-                .zip(fields)
-                .for_each(|(image, field)| image.refresh(field, &coefficients.words, powers));
+            images.par_iter_mut().zip(fields).for_each(|(image, field)| image.refresh(field, &coefficients, powers));
         }
         let found = loop {
             self.cover(length, state, &coefficients, powers);
@@ -104,16 +92,16 @@ impl Residues {
         let (divisor, mut states) = self.states(&found, shape, &scales);
         // The images go on with the last target's state.
         self.pending = states.last().map_or_else(BigInt::one, |state| divisor / &state.divisor);
-        self.coefficients = Some(coefficients);
+        self.coefficients = Some((laws.generation, coefficients));
         let departed = if states.len() > 1 { states.pop() } else { None };
         states.pop().map(|filtered| Eliminated { filtered, departed, rank }).ok_or(Stop)
     }
 
     /// Adds primes until they determine all integers below 2^length, and images of the exact state for all that have none.
-    fn cover(&mut self, length: u64, state: &State, coefficients: &Coefficients, powers: usize) {
+    fn cover(&mut self, length: u64, state: &State, coefficients: &CoefficientWords, powers: usize) {
         let exact = StateDigits::of(state, &self.pending);
         let longest = exact.longest().max(powers);
-        let image = |field: &PrimeField| Image::of(&exact, &coefficients.words, field, longest, powers);
+        let image = |field: &PrimeField| Image::of(&exact, coefficients, field, longest, powers);
         if self.images.is_empty() {
             // Images of a state are made of it anew after an irregular prime, too; a prime that does not suit is dropped.
             let fields: Vec<PrimeField> = self.basis.fields().to_vec();
@@ -178,7 +166,7 @@ impl Residues {
                 mean_numerators: mean,
                 mean_scale,
             }
-            .without_twos()
+            .reduced()
         });
         let states = states.collect();
         (divisor, states)
@@ -198,15 +186,9 @@ fn regular(found: Vec<Option<Found>>) -> Result<Vec<Found>, Vec<usize>> {
 }
 
 /// w u and z uₓ: by these times d′ the next covariances and means become integers.
-fn scales(state: &State, coefficients: &Coefficients, constants: &Constants) -> [BigInt; 2] {
-    let square = |denominator: &BigInt| denominator * denominator;
-    let multiple = |left: BigInt, right: &BigInt| least_common_multiple(left, right);
-    let map = &coefficients.law.map.denominator;
-    let mut scale = &state.scale * multiple(square(map), &coefficients.law.noise.denominator);
-    let mut mean_scale = &state.mean_scale * multiple(map.clone(), &constants.law.denominator);
-    if let (Some((a, noise)), Some(input)) = (&coefficients.transition, &constants.input) {
-        scale *= multiple(square(&a.denominator), &noise.denominator);
-        mean_scale *= multiple(a.denominator.clone(), &input.denominator);
-    }
-    [scale, mean_scale]
+fn scales(state: &State, laws: StepLaws<'_>) -> [BigInt; 2] {
+    let laws = laws.transition.into_iter().chain([laws.observation]);
+    laws.fold([state.scale.clone(), state.mean_scale.clone()], |[scale, mean_scale], law| {
+        [scale * law.scale(), mean_scale * law.mean_scale()]
+    })
 }

@@ -3,13 +3,10 @@
 use num_bigint::BigInt;
 
 use crate::matrix::Fractions;
-use crate::model::{Step, Timing};
 use crate::modular::{Digits, PrimeField};
-use crate::scalar::Rational;
 
-use super::super::law::Law;
+use super::super::laws::StepLaws;
 use super::super::state::State;
-use super::Steps;
 
 /// A matrix over one denominator, row by row.
 #[derive(Clone, Debug)]
@@ -65,59 +62,30 @@ impl Words {
 
 /// What may be the same from step to step.
 #[derive(Debug)]
-pub(super) struct Coefficients {
-    pub(super) law: Law,
-    /// The transition into the observed state, if it is still to be made: A and the covariance of its noise.
-    pub(super) transition: Option<(Fractions, Fractions)>,
-    pub(super) words: CoefficientWords,
-}
-
-/// [`Coefficients`] as words.
-#[derive(Debug)]
 pub(super) struct CoefficientWords {
+    /// A and the covariance of the noise of the transition into the observed state, if it is still to be made.
     pub(super) transition: Option<(Words, Words)>,
-    /// C above the map to the second target, if there is one.
+    /// C above the map to the second target, if there is one; that to the first target is the identity.
     pub(super) map: Words,
     /// The covariance of the noise of observed entries and targets.
     pub(super) noise: Words,
 }
 
-impl Coefficients {
-    pub(super) fn of(step: &Step<Rational>, timing: Timing, propagate: bool) -> Self {
-        let law = Law::of(step, timing);
-        let transition = step.transition.as_ref().filter(|_| propagate);
-        let transition = transition.map(|t| (Fractions::of(&t.matrix), Fractions::of(&t.noise)));
-        // The map to the first target is the identity.
+impl CoefficientWords {
+    pub(super) fn of(laws: StepLaws<'_>) -> Self {
+        let law = laws.observation;
         let rows = |range: std::ops::Range<usize>| law.map.numerators.block(range, 0..law.states);
         let mut map = rows(0..law.observed);
         for target in 1..law.targets {
             map = map.above(&rows(law.target(target)));
         }
-        let map = Fractions { numerators: map, denominator: law.map.denominator.clone() };
-        let words = CoefficientWords {
-            transition: transition.as_ref().map(|(a, q)| (Words::of(a), Words::of(q))),
-            map: Words::of(&map),
+        Self {
+            transition: laws.transition.map(|law| (Words::of(&law.map), Words::of(&law.noise))),
+            map: Words::of(&Fractions { numerators: map, denominator: law.map.denominator.clone() }),
             noise: Words::of(&law.noise),
-        };
-        Self { law, transition, words }
+        }
     }
 
-    /// Whether they are those of a step, given that they are those of the step before it.
-    pub(super) fn serve(&self, steps: Steps<'_>) -> bool {
-        let Steps { before: Some(before), step, propagate, .. } = steps else { return false };
-        let transitions = match (&before.transition, &step.transition) {
-            (Some(a), Some(b)) => (&a.matrix, &a.noise, &a.cross_noise) == (&b.matrix, &b.noise, &b.cross_noise),
-            (a, b) => a.is_none() && b.is_none(),
-        };
-        transitions
-            && self.transition.is_some() == (propagate && step.transition.is_some())
-            && before.observation == step.observation
-            && before.observation_noise == step.observation_noise
-            && before.reading.present() == step.reading.present()
-    }
-}
-
-impl CoefficientWords {
     /// The number of words of the longest integer.
     pub(super) fn longest(&self) -> usize {
         let transition = self.transition.iter().flat_map(|(a, q)| [a.longest(), q.longest()]);
@@ -127,26 +95,24 @@ impl CoefficientWords {
 
 /// What changes with every step.
 #[derive(Debug)]
-pub(super) struct Constants {
-    /// The constant of the law: observed values less inputs, then minus the inputs of the targets.
-    pub(super) law: Fractions,
-    /// The input of the transition into the observed state, if that is still to be made.
-    pub(super) input: Option<Fractions>,
-    pub(super) law_words: Words,
-    pub(super) input_words: Option<Words>,
+pub(super) struct ConstantWords {
+    /// What is subtracted in the transition, if that is still to be made.
+    pub(super) transition: Option<Words>,
+    /// What is subtracted from E x.
+    pub(super) observation: Words,
 }
 
-impl Constants {
-    pub(super) fn of(step: &Step<Rational>, timing: Timing, propagate: bool) -> Self {
-        let law = Fractions::of(&Law::constant(step, timing));
-        let input = step.transition.as_ref().filter(|_| propagate).map(|t| Fractions::of(&t.input));
-        let (law_words, input_words) = (Words::of(&law), input.as_ref().map(Words::of));
-        Self { law, input, law_words, input_words }
+impl ConstantWords {
+    pub(super) fn of(laws: StepLaws<'_>) -> Self {
+        Self {
+            transition: laws.transition.map(|law| Words::of(&law.constant)),
+            observation: Words::of(&laws.observation.constant),
+        }
     }
 
     /// The number of words of the longest integer.
     pub(super) fn longest(&self) -> usize {
-        self.law_words.longest().max(self.input_words.as_ref().map_or(0, Words::longest))
+        self.observation.longest().max(self.transition.as_ref().map_or(0, Words::longest))
     }
 }
 
