@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use clap::{Parser, ValueEnum};
 use exact_kalman::filter::{Effort, RationalStep, Route, Wanted, filter_rational};
-use exact_kalman::matrix::Fractions;
+use exact_kalman::matrix::{Fractions, Matrix};
 use exact_kalman::protocol::{Case, Decimal};
 use exact_kalman::scalar::{Precision, Rational};
 use exact_kalman::trace::Quantity;
@@ -32,6 +32,9 @@ struct Options {
     /// Runs are repeated until they have taken this long; where there are several, the first does not count.
     #[arg(long, default_value_t = 0.3)]
     seconds: f64,
+    /// The least number of runs.
+    #[arg(long, default_value_t = 1)]
+    runs: usize,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -80,7 +83,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let length = handed_out(&steps, options.output);
         wall.push(start.1.elapsed().as_secs_f64());
         cpu.push(cpu_seconds() - start.0);
-        if wall.iter().sum::<f64>() >= options.seconds {
+        if wall.iter().sum::<f64>() >= options.seconds && wall.len() >= options.runs {
             break (steps, length);
         }
     };
@@ -107,7 +110,7 @@ fn handed_out(steps: &[RationalStep], output: Output) -> u64 {
         Output::Integers => steps.iter().flat_map(|step| step.values.values()).map(length_of_integers).sum(),
         Output::LowestTerms => {
             let fractions: Vec<_> = steps.iter().map(|step| step.fractions(Precision::Exact)).collect();
-            let entries = fractions.iter().flat_map(|step| step.values.values()).flat_map(|matrix| matrix.entries());
+            let entries = fractions.iter().flat_map(|step| step.values.values()).flat_map(Matrix::entries);
             entries.map(|entry| entry.numer().bits() + entry.denom().bits()).sum()
         }
         Output::Digits => steps.iter().flat_map(|step| &step.values).map(length_of_digits).sum(),
