@@ -115,13 +115,17 @@ def seconds(value):
     return "–" if value is None else f"{value:.2f}" if value >= 10 else f"{value:.3g}" if value >= 1 else f"{value:.4f}"
 
 
+def times(value):
+    return f"{value:.2f}" if value < 10 else f"{value:.1f}" if value < 100 else f"{value:.0f}"
+
+
 def ratio(values, goal=None):
     if not values:
         return "–"
     middle = statistics.median(values)
-    text = f"{middle:.1f}" if middle < 100 else f"{middle:.0f}"
+    text = times(middle)
     if len(values) > 1:
-        text += f" ({values[0]:.1f}–{values[-1]:.1f})"
+        text += f" ({times(values[0])}–{times(values[-1])})"
     return text if goal is None else f"{text} {'✓' if middle >= goal else '✗'}"
 
 
@@ -220,6 +224,10 @@ def exponent(small, large, from_, to):
     return "–" if not small or not large else f"{math.log(large / small) / math.log(to / from_):.2f}"
 
 
+def last_bits(measured, cell):
+    return (measured.one(cell, "ours", "bits") or {}).get(str(cell[2]))
+
+
 def growth(measured, axis):
     """Rows of cells that differ in T (axis 2) or n (axis 1) alone, with the exponent from one to the next."""
     families = defaultdict(list)
@@ -235,8 +243,10 @@ def growth(measured, axis):
                 now = measured.time(cell, name)
                 step = exponent(measured.time(before, name), now, before[axis], cell[axis]) if before else ""
                 texts += [seconds(now), step]
+            now, past = (last_bits(measured, each) if each else None for each in (cell, before))
+            texts += ["–" if now is None else f"{now:,}", exponent(past, now, before[axis], cell[axis]) if before else ""]
             rows.append([label(cell), *texts])
-    return table(["problem", "fmpq_mat, s", "exponent", "fmpz, s", "exponent", "ours, s", "exponent"], rows)
+    return table(["problem", "fmpq_mat, s", "exponent", "fmpz, s", "exponent", "ours, s", "exponent", "bits of our denominator at T", "exponent"], rows)
 
 
 def limit(measured):
@@ -251,10 +261,14 @@ def limit(measured):
 
 def digits(measured):
     rows = [
-        [label(cell), *(seconds(measured.time(cell, name, "wall")) for name in ("fmpq", "ours", "ours-cores", "ours-digits"))]
+        [
+            label(cell),
+            *(seconds(measured.time(cell, name)) for name in ("fmpq", "ours", "ours-digits")),
+            seconds(measured.time(cell, "ours-digits", "wall")),
+        ]
         for cell in measured.cells("ours", "ours-digits")
     ]
-    return table(["problem", "fmpq_mat, s", "ours, s", "ours on all cores, s", "ours, 17 digits of all results as text, s"], rows)
+    return table(["problem", "fmpq_mat, s", "ours, s", "ours, 17 digits of all results as text, s", "the same, wall s"], rows)
 
 
 def report(rows, head):
@@ -269,15 +283,16 @@ def report(rows, head):
         ]),
         ("Speed", speed(measured)),
         ("Our routes", routes(measured)),
-        ("Digits", ["Wall seconds.", "", *digits(measured)]),
+        ("Digits", ["Every entry of P (one triangle) and x̂ of every step as a decimal.", "", *digits(measured)]),
         ("Other peers", ["CPU seconds of one run; in brackets, times ours.", "", *others(measured)]),
         ("Bits and memory", size(measured)),
         ("Growth with T", [
-            "Bits grow linearly with t. So T steps cost the sum of M(c t): T² if products were linear, T^2.58 by Karatsuba's, T³ by the"
-            " products of the school.", "", *growth(measured, 2),
+            "Where the bits of the denominator grow linearly with t (exponent 1), T steps cost the sum of M(c t), t up to T: T² if products"
+            " were linear, T^2.58 by Karatsuba's, T³ by those of the school.", "", *growth(measured, 2),
         ]),
         ("Growth with n", [
-            "Elimination does (n + m)³ products of numbers whose length is proportional to n: n⁴ for short ones, up to n⁵.", "", *growth(measured, 1),
+            "Elimination does some (n + m)³ products; where the bits are proportional to n (exponent 1), that is n⁴ if products were linear,"
+            " n^4.58 by Karatsuba's, n⁵ by those of the school; less while n is so small that other work counts.", "", *growth(measured, 1),
         ]),
         ("The limit", [
             "One FLINT product for each entry of P and x̂ of every step, both factors as long as the entry: nothing is computed by it.", "", *limit(measured),
