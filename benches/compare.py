@@ -137,12 +137,11 @@ class Runner:
             self.file.unlink(missing_ok=True)
         self.known = {}
         if self.file.exists():
-            for line in self.file.read_text().splitlines():
-                try:
-                    row = json.loads(line)
-                except ValueError:
-                    continue  # The last line of an interrupted run.
-                self.known[row["key"]] = row
+            text = self.file.read_text(encoding="utf-8")
+            whole = text[: text.rfind("\n") + 1]
+            if whole != text:  # A line was interrupted.
+                self.file.write_text(whole, encoding="utf-8")
+            self.known = {row["key"]: row for row in map(json.loads, whole.splitlines())}
 
     def key(self, name, cell, number):
         print_ = self.prints[name in OURS]
@@ -224,4 +223,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except KeyboardInterrupt:
+        raise SystemExit("\ninterrupted; the same command goes on from here") from None

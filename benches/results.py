@@ -186,9 +186,13 @@ def others(measured):
     for cell in measured.cells("ours", "sympy-flint"):
         texts = []
         for name in SLOW:
-            values = [measured.time(cell, name)] if measured.time(cell, name) is not None else []
-            times = f"{seconds(values[0])} ({values[0] / measured.time(cell, 'ours'):.0f}×)" if values else "not run"
-            texts.append("given up" if measured.given_up(cell, name) else times)
+            ours, theirs = measured.time(cell, "ours"), measured.time(cell, name)
+            if measured.given_up(cell, name):
+                texts.append("given up")
+            elif theirs is None:
+                texts.append("not run")
+            else:
+                texts.append(f"{seconds(theirs)} ({times(theirs / ours)}×)")
         rows.append([label(cell), seconds(measured.time(cell, "ours")), *texts])
     return table(["problem", "ours, s", *(f"{text}, s" for text in SLOW.values())], rows)
 
