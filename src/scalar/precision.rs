@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_traits::{One, Zero};
 
 use super::Rational;
-use super::integer::common_divisor;
+use super::gcd::common_divisor;
 
 /// How quotients of integers are handed out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

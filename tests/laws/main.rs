@@ -1,6 +1,7 @@
 //! The promises of the scalars: exhausted on small fields, by quickcheck on the others, and broken on purpose.
 
 mod broken;
+mod common_divisor;
 mod fields;
 mod fractions;
 mod interval;
