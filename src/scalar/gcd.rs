@@ -4,7 +4,7 @@
 //! product of the steps' matrices has entries of nearly a word; only then are the long numbers touched. The argument:
 //!
 //! Let a = x·2ᵏ + a′ and b = y·2ᵏ + b′ with 0 ≤ a′, b′ < 2ᵏ, and let p·x − q·y = r with p, q ≥ 0. Then
-//! p·a − q·b > (r − q)·2ᵏ, which is not negative if r ≥ q, whether or not Euclid's steps on a and b have the quotients
+//! p·a − q·b ≥ (r − q)·2ᵏ + q, which is at least q if r ≥ q, whether or not Euclid's steps on a and b have the quotients
 //! of those on x and y. A matrix of integers with determinant ±1 leaves the greatest common divisor as it is; so all
 //! that must hold is r ≥ max(p, q) for both rows. Every step makes the sum of both numbers smaller, so the search ends.
 
@@ -139,7 +139,7 @@ impl Steps {
         Some(if enough(x, both.rows[0]) && enough(y, both.rows[1]) { both } else { first })
     }
 
-    /// Euclid's steps on x ≥ y of at most 62 bits, as long as each remainder exceeds its entries; nothing if the
+    /// Euclid's steps on x ≥ y of at most 62 bits, as long as no remainder is below its entries; nothing if the
     /// first does not.
     fn of_numbers(x: u64, y: u64) -> Option<Self> {
         let (mut a, mut b) = (x, y);
@@ -150,7 +150,7 @@ impl Steps {
             let rest = a - quotient * b;
             // The second entry of a row is never the smaller one, since x ≥ y; it is at most x / b.
             let next = [p + quotient * s, q + quotient * t];
-            if rest <= next[1] {
+            if rest < next[1] {
                 break;
             }
             (a, b) = (b, rest);

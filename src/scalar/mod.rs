@@ -23,6 +23,7 @@ mod interval;
 pub mod laws;
 mod normal;
 mod precision;
+mod quotient;
 mod rational;
 mod residue;
 
@@ -32,6 +33,7 @@ pub use float::{exact_value, nearest_double, nearest_single};
 pub use gcd::common_divisor;
 pub use interval::Interval;
 pub use precision::Precision;
+pub use quotient::Quotient;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};
 

@@ -5,5 +5,7 @@ mod common_divisor;
 mod fields;
 mod fractions;
 mod interval;
+mod lowest_terms;
 mod normal;
+mod quotient;
 mod rational;
