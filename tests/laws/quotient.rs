@@ -79,7 +79,7 @@ fn is_nearest(found: f64, value: &Rational) -> bool {
         let beyond = exact_value(f64::MAX).unwrap() + two_to(970);
         return found.is_infinite() && absolute(value.clone()) >= beyond;
     };
-    let even = found.to_bits() % 2 == 0;
+    let even = found.to_bits().is_multiple_of(2);
     let largest = exact_value(f64::MAX).unwrap() + two_to(970);
     let fits = |other: f64| match distance(other) {
         Some(distance) => own < distance || own == distance && even,
