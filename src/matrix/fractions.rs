@@ -1,10 +1,11 @@
 //! Matrices of fractions as integers over one denominator: the form in which heavy work is done.
 
 use num_bigint::BigInt;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 use super::Matrix;
-use crate::scalar::{Precision, Rational, common_divisor};
+use super::lowest_terms::lowest_terms;
+use crate::scalar::{Precision, Quotient, Rational, common_divisor};
 
 /// `numerators / denominator`, not in lowest terms; the denominator is positive.
 #[derive(Clone, Debug)]
@@ -23,12 +24,56 @@ impl Fractions {
         Self { numerators: matrix.map(|entry| entry.numer() * (&denominator / entry.denom())), denominator }
     }
 
-    /// Every entry in lowest terms, or rounded.
-    pub fn entrywise(&self, precision: Precision) -> Matrix<Rational> {
-        self.numerators.map(|numerator| precision.quotient(numerator, &self.denominator))
+    /// One entry, as a quotient to be rounded.
+    ///
+    /// # Panics
+    ///
+    /// If the denominator is not positive.
+    pub fn quotient(&self, row: usize, column: usize) -> Quotient<'_> {
+        Quotient::new(&self.numerators[(row, column)], &self.denominator)
     }
 
-    /// The entries of a symmetric matrix, each pair worked out once.
+    /// The nearest double to each entry, rounded once, without lowest terms.
+    ///
+    /// # Panics
+    ///
+    /// If the denominator is not positive.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use exact_kalman::matrix::{Fractions, Matrix};
+    /// use num_bigint::BigInt;
+    ///
+    /// let numerators = Matrix::from_fn(1, 2, |_, j| BigInt::from([2, -5][j]));
+    /// let fractions = Fractions { numerators, denominator: BigInt::from(10) };
+    /// assert_eq!(fractions.doubles(), Matrix::from_fn(1, 2, |_, j| [0.2, -0.5][j]));
+    /// ```
+    pub fn doubles(&self) -> Matrix<f64> {
+        self.numerators.map(|numerator| Quotient::new(numerator, &self.denominator).nearest_double())
+    }
+
+    /// Every entry in lowest terms, or rounded.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use exact_kalman::matrix::{Fractions, Matrix};
+    /// use exact_kalman::scalar::{Precision, ratio};
+    /// use num_bigint::BigInt;
+    ///
+    /// let numerators = Matrix::from_fn(1, 2, |_, j| BigInt::from([2, -5][j]));
+    /// let fractions = Fractions { numerators, denominator: BigInt::from(10) };
+    /// let exact = fractions.entrywise(Precision::Exact);
+    /// assert_eq!(exact, Matrix::from_fn(1, 2, |_, j| [ratio(1, 5), ratio(-1, 2)][j].clone()));
+    /// ```
+    pub fn entrywise(&self, precision: Precision) -> Matrix<Rational> {
+        let entries: Vec<&BigInt> = self.numerators.entries().iter().collect();
+        let mut values = self.handed_out(&entries, precision).into_iter();
+        self.numerators.map(|_| values.next().unwrap_or_default())
+    }
+
+    /// The entries of a symmetric matrix, each pair worked out once, from the lower triangle.
     ///
     /// # Panics
     ///
@@ -36,10 +81,22 @@ impl Fractions {
     pub fn symmetric(&self, precision: Precision) -> Matrix<Rational> {
         let n = self.numerators.rows();
         assert_eq!(n, self.numerators.columns(), "a symmetric matrix is square");
-        let lower = Matrix::from_fn(n, n, |i, j| {
-            if j <= i { precision.quotient(&self.numerators[(i, j)], &self.denominator) } else { Rational::zero() }
-        });
-        Matrix::from_fn(n, n, |i, j| lower[(i.max(j), i.min(j))].clone())
+        let lower = (0..n).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let entries: Vec<&BigInt> = lower.map(|(i, j)| &self.numerators[(i, j)]).collect();
+        let values = self.handed_out(&entries, precision);
+        Matrix::from_fn(n, n, |i, j| {
+            let (row, column) = (i.max(j), i.min(j));
+            values[row * (row + 1) / 2 + column].clone()
+        })
+    }
+
+    fn handed_out(&self, numerators: &[&BigInt], precision: Precision) -> Vec<Rational> {
+        match precision {
+            Precision::Exact => lowest_terms(numerators, &self.denominator),
+            Precision::Rounded { .. } => {
+                numerators.iter().map(|numerator| precision.quotient(numerator, &self.denominator)).collect()
+            }
+        }
     }
 
     /// The same matrix over a multiple of its denominator.

@@ -18,6 +18,7 @@ mod characteristic_polynomial;
 mod definiteness;
 mod elimination;
 mod fractions;
+mod lowest_terms;
 mod norm;
 mod parallel_sum;
 mod pseudo_inverse;

@@ -6,7 +6,11 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
 
-use crate::scalar::Rational;
+use super::decimal_of_interval::scientific;
+use crate::scalar::{Quotient, Rational};
+
+/// Integers of up to this length are used as they are.
+const SHORT: u64 = 1024;
 
 /// `±significand · 10^exponent`, a decimal with few digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,12 +32,42 @@ impl Decimal {
     /// assert_eq!(Decimal::rounded(&ratio(123_456_789, 1), 2).to_string(), "1.2e8");
     /// ```
     pub fn rounded(value: &Rational, digits: u32) -> Self {
-        let negative = value.numer().sign() == Sign::Minus;
-        let (numerator, denominator) = (value.numer().magnitude(), value.denom().magnitude());
+        Self::of_quotient(value.into(), digits)
+    }
+
+    /// The same of a quotient of integers, without its lowest terms.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use exact_kalman::{protocol::Decimal, scalar::Quotient};
+    /// use num_bigint::BigInt;
+    ///
+    /// let shared = BigInt::from(7).pow(10_000);
+    /// let (numerator, denominator) = (&shared * 2, &shared * 3);
+    /// let decimal = Decimal::of_quotient(Quotient::new(&numerator, &denominator), 5);
+    /// assert_eq!(decimal.to_string(), "0.66667");
+    /// ```
+    pub fn of_quotient(value: Quotient, digits: u32) -> Self {
+        let digits = digits.max(1);
+        let length = value.numerator().bits().max(value.denominator().bits());
+        if length > SHORT + 4 * u64::from(digits) {
+            // Leading bits decide, unless the value is next to the middle of two decimals.
+            let enclosed = value.enclosed(4 * u64::from(digits) + 128);
+            if let Some([lower, upper]) = scientific(&enclosed, digits)
+                && lower == upper
+            {
+                return lower;
+            }
+        }
+        Self::of_all_bits(value, digits)
+    }
+
+    fn of_all_bits(value: Quotient, digits: u32) -> Self {
+        let (numerator, denominator) = (value.numerator().magnitude(), value.denominator().magnitude());
         if numerator.is_zero() {
             return Self { negative: false, significand: BigUint::zero(), exponent: 0 };
         }
-        let digits = digits.max(1);
         let mut exponent = decade(numerator, denominator) - i64::from(digits - 1);
         let limit = BigUint::from(10_u8).pow(digits);
         let mut significand = scaled_and_rounded(numerator, denominator, exponent);
@@ -42,7 +76,7 @@ impl Decimal {
             exponent += 1;
             significand = scaled_and_rounded(numerator, denominator, exponent);
         }
-        Self { negative, significand, exponent }.without_zeros()
+        Self { negative: value.is_negative(), significand, exponent }.without_zeros()
     }
 
     /// The same, with a significand that does not end in 0.

@@ -48,7 +48,7 @@ fn written(end: &Dyadic) -> Option<Rational> {
 }
 
 /// Decimals of both ends, or of more, by a multiplication with an enclosed power of ten.
-fn scientific(interval: &Interval, digits: u32) -> Option<[Decimal; 2]> {
+pub(super) fn scientific(interval: &Interval, digits: u32) -> Option<[Decimal; 2]> {
     let sizes = [interval.lower().magnitude()?, interval.upper().magnitude()?];
     if sizes.iter().any(|size| size.unsigned_abs() > FARTHEST) {
         return None;

@@ -2,18 +2,16 @@
 //!
 //! No arithmetic is done in floating point here; bits are taken apart and put together.
 
-use std::cmp::Ordering;
-
 use num_bigint::{BigInt, BigUint, Sign};
-use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
 
-use super::Rational;
+use super::quotient::{Ties, magnitude, nearest};
+use super::{Quotient, Rational};
 
 /// A binary format of IEEE 754 with gradual underflow.
 struct Format {
     /// The bits of a significand, the hidden one included.
-    precision: u64,
+    precision: u32,
     /// The exponent e of the least positive value 2ᵉ.
     least: i64,
     /// The pattern of infinity.
@@ -71,8 +69,7 @@ fn scaled(odd: BigInt, exponent: i64) -> Rational {
 /// assert_eq!(nearest_double(&ratio(-2, 3)), -2.0 / 3.0);
 /// ```
 pub fn nearest_double(value: &Rational) -> f64 {
-    let magnitude = f64::from_bits(nearest_pattern(value, &DOUBLE));
-    if value.numer().sign() == Sign::Minus { -magnitude } else { magnitude }
+    Quotient::from(value).nearest_double()
 }
 
 /// The nearest single-precision number, rounded once, ties to even.
@@ -85,58 +82,44 @@ pub fn nearest_double(value: &Rational) -> f64 {
 /// assert_eq!(nearest_single(&ratio(1, 10)), 0.1_f32);
 /// ```
 pub fn nearest_single(value: &Rational) -> f32 {
-    let pattern = nearest_pattern(value, &SINGLE);
-    let magnitude = f32::from_bits(u32::try_from(pattern).unwrap_or(0x7f80_0000));
-    if value.numer().sign() == Sign::Minus { -magnitude } else { magnitude }
+    Quotient::from(value).nearest_single()
 }
 
-/// The bits of the nearest magnitude.
-fn nearest_pattern(value: &Rational, format: &Format) -> u64 {
-    let (numerator, denominator) = (value.numer().magnitude(), value.denom().magnitude());
-    if numerator.is_zero() {
-        return 0;
+impl Quotient<'_> {
+    /// The nearest double, as [`nearest_double`].
+    pub fn nearest_double(self) -> f64 {
+        let magnitude = f64::from_bits(self.nearest_pattern(&DOUBLE));
+        if self.is_negative() { -magnitude } else { magnitude }
     }
-    // 2^(gap−1) < value < 2^(gap+1)
-    let (Ok(above), Ok(below)) = (i64::try_from(numerator.bits()), i64::try_from(denominator.bits())) else {
-        unreachable!("no memory holds 2^63 bits")
-    };
-    let gap = above - below;
-    if gap > 1100 {
-        return format.infinity;
+
+    /// The nearest single-precision number, as [`nearest_single`].
+    pub fn nearest_single(self) -> f32 {
+        let pattern = self.nearest_pattern(&SINGLE);
+        let magnitude = f32::from_bits(u32::try_from(pattern).unwrap_or(0x7f80_0000));
+        if self.is_negative() { -magnitude } else { magnitude }
     }
-    if gap < -1100 {
-        return 0;
-    }
-    let digits = i64::try_from(format.precision).unwrap_or(i64::MAX);
-    let guess = (gap - digits).max(format.least);
-    let (exponent, significand) = match rounded_quotient(numerator, denominator, guess) {
-        // The guess is the exponent if value < 2^gap; else one bit too many was kept.
-        (quotient, _) if quotient.bits() > format.precision => {
-            (guess + 1, rounded_quotient(numerator, denominator, guess + 1).1)
+
+    /// The bits of the nearest magnitude.
+    fn nearest_pattern(self, format: &Format) -> u64 {
+        if self.numerator.is_zero() {
+            return 0;
         }
-        (_, rounded) => (guess, rounded),
-    };
-    // The hidden bit adds one to the exponent field of a normal number, and a carry out of the significand
-    // adds one more: both are just the addition.
-    let field = u64::try_from(exponent - format.least).unwrap_or(0);
-    let pattern = (field << (format.precision - 1)) + significand.to_u64().unwrap_or(format.infinity);
-    pattern.min(format.infinity)
-}
-
-/// `value / 2^exponent`, rounded down and to the nearest integer, ties to even.
-fn rounded_quotient(numerator: &BigUint, denominator: &BigUint, exponent: i64) -> (BigUint, BigUint) {
-    let shift = exponent.unsigned_abs();
-    let (dividend, divisor) = if exponent < 0 {
-        (numerator << shift, denominator.clone())
-    } else {
-        (numerator.clone(), denominator << shift)
-    };
-    let (quotient, rest) = dividend.div_rem(&divisor);
-    let up = match (rest << 1_u8).cmp(&divisor) {
-        Ordering::Greater => true,
-        Ordering::Equal => quotient.is_odd(),
-        Ordering::Less => false,
-    };
-    let rounded = &quotient + u8::from(up);
-    (quotient, rounded)
+        self.asked(format.precision.into(), |numerator, denominator, exponent| {
+            let magnitude = magnitude(numerator, denominator, exponent);
+            // Beyond every format; the shifts below stay short.
+            if magnitude > 1100 {
+                return format.infinity;
+            }
+            if magnitude < -1100 {
+                return 0;
+            }
+            let unit = (magnitude - i64::from(format.precision)).max(format.least);
+            let significand = nearest((numerator, denominator, exponent), unit, Ties::Even);
+            // The hidden bit adds one to the exponent field of a normal number, and a carry out of the significand
+            // adds one more: both are just the addition.
+            let field = u64::try_from(unit - format.least).unwrap_or(0);
+            let pattern = (field << (format.precision - 1)) + significand.to_u64().unwrap_or(format.infinity);
+            pattern.min(format.infinity)
+        })
+    }
 }

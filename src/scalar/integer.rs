@@ -46,16 +46,3 @@ impl Scalar for BigInt {
         value.into()
     }
 }
-
-/// The greatest common divisor, without the quadratic cost that num-bigint's binary algorithm has when
-/// the sizes differ (`gcd(x, 1)` is the common case).
-pub(crate) fn common_divisor(left: &BigInt, right: &BigInt) -> BigInt {
-    let (small, large) = if left.bits() <= right.bits() { (left, right) } else { (right, left) };
-    if small.is_one() {
-        return <BigInt as One>::one();
-    }
-    if small.is_zero() {
-        return large.clone();
-    }
-    if large.bits() > small.bits() + 64 { small.gcd(&(large % small)) } else { small.gcd(large) }
-}

@@ -17,20 +17,23 @@ mod circle;
 mod dyadic;
 mod exponential;
 mod float;
+mod gcd;
 mod integer;
 mod interval;
 pub mod laws;
 mod normal;
 mod precision;
+mod quotient;
 mod rational;
 mod residue;
 
 pub use dyadic::{Dyadic, Toward};
 pub use exponential::{Exponentials, Overflow};
 pub use float::{exact_value, nearest_double, nearest_single};
-pub(crate) use integer::common_divisor;
+pub use gcd::common_divisor;
 pub use interval::Interval;
 pub use precision::Precision;
+pub use quotient::Quotient;
 pub use rational::{Rational, ratio};
 pub use residue::{Mersenne61, Residue};
 

@@ -1,21 +1,21 @@
 //! From two integers to their quotient, in lowest terms or rounded.
 
-use num_bigint::BigInt;
-use num_integer::Integer;
+use num_bigint::{BigInt, BigUint};
 use num_traits::{One, Zero};
 
-use super::Rational;
-use super::integer::common_divisor;
+use super::gcd::common_divisor;
+use super::quotient::{Ties, magnitude, nearest};
+use super::{Quotient, Rational};
 
 /// How quotients of integers are handed out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
     /// As they are, in lowest terms.
     Exact,
-    /// To the nearest multiple of a power of two, with at least this many and at most two more significant
-    /// bits (ties upwards); multiples of that power stay as they are.
+    /// To so many significant bits: with 2^(e−1) ≤ |value| < 2^e, to the nearest multiple of 2^(e − bits), ties
+    /// upwards. What has no more bits stays as it is.
     Rounded {
-        /// The number of significant bits, at least one.
+        /// The number of significant bits; none is read as one.
         bits: u32,
     },
 }
@@ -23,38 +23,51 @@ pub enum Precision {
 impl Precision {
     /// A fraction, as it is or rounded.
     pub fn of(self, value: &Rational) -> Rational {
-        self.quotient(value.numer(), value.denom())
+        match self {
+            Self::Exact => value.clone(),
+            Self::Rounded { .. } => Quotient::from(value).handed_out(self),
+        }
     }
 
     /// The quotient of two integers, the divisor positive.
     pub fn quotient(self, numerator: &BigInt, denominator: &BigInt) -> Rational {
-        match self {
-            _ if numerator.is_zero() => Rational::zero(),
-            Self::Exact => {
-                let shared = common_divisor(numerator, denominator);
-                Rational::new_raw(numerator / &shared, denominator / shared)
+        Quotient { numerator, denominator }.handed_out(self)
+    }
+}
+
+impl Quotient<'_> {
+    /// The value in lowest terms, or rounded.
+    pub fn handed_out(self, precision: Precision) -> Rational {
+        match precision {
+            _ if self.numerator.is_zero() => Rational::zero(),
+            Precision::Exact => {
+                let shared = common_divisor(self.numerator, self.denominator);
+                if shared.is_one() {
+                    return Rational::new_raw(self.numerator.clone(), self.denominator.clone());
+                }
+                Rational::new_raw(self.numerator / &shared, self.denominator / shared)
             }
-            Self::Rounded { bits } => rounded(numerator, denominator, bits.max(1)),
+            Precision::Rounded { bits } => self.rounded(bits.max(1)),
+        }
+    }
+
+    fn rounded(self, bits: u32) -> Rational {
+        let ties = if self.is_negative() { Ties::Down } else { Ties::Up };
+        let (odd, exponent) = self.asked(bits.into(), |numerator, denominator, exponent| {
+            let unit = magnitude(numerator, denominator, exponent) - i64::from(bits);
+            without_twos(&nearest((numerator, denominator, exponent), unit, ties), unit)
+        });
+        let odd = BigInt::from_biguint(self.numerator.sign(), odd);
+        if exponent >= 0 {
+            Rational::from(odd << exponent.unsigned_abs())
+        } else {
+            Rational::new_raw(odd, BigInt::one() << exponent.unsigned_abs())
         }
     }
 }
 
-fn rounded(numerator: &BigInt, denominator: &BigInt, bits: u32) -> Rational {
-    // Sizes in bits are far below 2^62: numbers of that many bits do not exist in memory.
-    let size = |n: &BigInt| i64::try_from(n.bits()).unwrap_or(i64::MAX);
-    let shift = i64::from(bits) + 1 - (size(numerator) - size(denominator));
-    let (scaled, divisor) = if shift >= 0 {
-        (numerator << shift.unsigned_abs(), denominator.clone())
-    } else {
-        (numerator.clone(), denominator << shift.unsigned_abs())
-    };
-    let quotient = Integer::div_floor(&((scaled << 1u8) + &divisor), &(divisor << 1u8));
-    let twos = quotient.trailing_zeros().unwrap_or(0);
-    let odd = quotient >> twos;
-    let exponent = i64::try_from(twos).unwrap_or(i64::MAX) - shift;
-    if exponent >= 0 {
-        Rational::from(odd << exponent.unsigned_abs())
-    } else {
-        Rational::new_raw(odd, BigInt::one() << exponent.unsigned_abs())
-    }
+/// `significand · 2^unit` with an odd significand.
+fn without_twos(significand: &BigUint, unit: i64) -> (BigUint, i64) {
+    let twos = significand.trailing_zeros().unwrap_or(0);
+    (significand >> twos, unit + i64::try_from(twos).unwrap_or(i64::MAX))
 }

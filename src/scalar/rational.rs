@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
-use super::integer::common_divisor;
+use super::gcd::common_divisor;
 use super::{Field, OrderedField, Scalar, Undefined, ZeroTest};
 
 /// An exact fraction in lowest terms with a positive denominator: the type the ecosystem already has.

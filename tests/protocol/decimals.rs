@@ -1,7 +1,7 @@
 //! Rationals in a few decimal digits.
 
 use exact_kalman::protocol::Decimal;
-use exact_kalman::scalar::{Dyadic, Interval, Rational, ratio};
+use exact_kalman::scalar::{Dyadic, Interval, Quotient, Rational, ratio};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 
@@ -59,6 +59,35 @@ proptest! {
         // An interval around a tie has no decimal; no tie has the digits of n and more.
         prop_assert!(found.is_some() || digits < 19);
         prop_assert!(found.is_none_or(|found| found == Decimal::rounded(&value, digits)));
+    }
+
+    /// Against the decimal of the short value: multiples of both integers, long enough to be looked at by leading bits.
+    #[test]
+    fn decimals_of_quotients_are_those_of_fractions(
+        n in any::<i64>(), d in 1..=i64::MAX, factor in any::<u64>(), shift in -320_i32..320, digits in 1_u32..20,
+    ) {
+        let ten = Rational::from(BigInt::from(10)).pow(shift);
+        let value = Rational::new(n.into(), d.into()) * ten;
+        let factor = BigInt::from(7).pow(2000) + factor;
+        let (numerator, denominator) = (value.numer() * &factor, value.denom() * &factor);
+        let found = Decimal::of_quotient(Quotient::new(&numerator, &denominator), digits);
+        prop_assert_eq!(found, Decimal::of_quotient((&value).into(), digits));
+    }
+
+    /// Numbers in the middle of two decimals, and a little beside it, whatever their size: the digits are known.
+    #[test]
+    fn decimals_next_to_ties(
+        significand in 100_u64..1000, up in any::<bool>(), shift in 0_u32..3000, off in -1_i32..=1, negative in any::<bool>(),
+    ) {
+        let (deep, power) = (BigInt::from(10).pow(4000), BigInt::from(10).pow(shift));
+        let numerator: BigInt = (BigInt::from(significand) * 10 + 5) * &deep + off;
+        let numerator = if negative { -numerator } else { numerator };
+        let (numerator, denominator) = if up { (numerator * power, deep) } else { (numerator, deep * power) };
+        let found = Decimal::of_quotient(Quotient::new(&numerator, &denominator), 3).value();
+        let away = i64::try_from(significand).unwrap() + i64::from(off >= 0);
+        let places = i32::try_from(shift).unwrap();
+        let scale = Rational::from(BigInt::from(10)).pow(1 + if up { places } else { -places });
+        prop_assert_eq!(found, scale * ratio(if negative { -away } else { away }, 1));
     }
 
     #[test]
