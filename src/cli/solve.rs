@@ -55,9 +55,10 @@ pub(super) struct Solve {
     /// transitions may go on beyond the last reading, and prediction ends where they do.
     #[arg(long, value_name = "STEPS", value_parser = ahead)]
     ahead: Option<NonZero<usize>>,
-    /// How long denominators may become, in bits, or `none`: what was computed before is printed. It bounds time and memory, as
-    /// every number has about that length; without it they end where the numbers of a step take half a gibibyte:
-    /// 2^32 bits over (m + 2n)^2 numbers. With --trace and --ahead, whose fractions cost far more, a sixteenth of it.
+    /// How long denominators may become, in bits, or `none`. What was computed before is printed. It bounds time and memory,
+    /// since all numbers of a step have about that length; with --trace and --ahead, whose fractions cost far more, a
+    /// sixteenth of it counts [default: 2^31 / (m + 2n)^2 for n states and m sensors, which keeps memory below some two
+    /// gibibytes].
     #[arg(long, value_name = "BITS")]
     max_bits: Option<MaximalBits>,
     /// How to print the answers; JSON is that of docs/PROTOCOL.md, one answer on each line.
