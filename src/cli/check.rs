@@ -1,13 +1,14 @@
 //! `check`: asks a program every case and judges its answers.
 
-use std::io::{IsTerminal as _, Write as _};
+use std::io::Write as _;
+use std::sync::Arc;
 use std::time::Duration;
-
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input::Selection;
+use super::parallel::Jobs;
+use super::{interrupt, progress};
 use crate::float::Form;
 use crate::judge::{Examinee, Judgement, Truth};
 use crate::protocol::{Case, Limits, Reply, Subject};
@@ -21,10 +22,14 @@ Examples:
   exact-kalman check --cases examples/cases -- ./my_filter        cases of your own
 
 The program reads one case on each line of its standard input, and prints one answer on a line of its
-standard output, flushed; docs/PROTOCOL.md says the rest, and has a complete example.
+standard output, flushed; docs/PROTOCOL.md says the rest, and has a complete example. One process is asked
+one case at a time, whatever --jobs says, which is about the exact answers only.
+
+Ctrl-C stops after the present case: the report is on what was judged by then, says so, and the exit code is
+130. A second Ctrl-C ends at once, without a report.
 
 Exit codes: 0 all agree; 1 some finding; 2 trouble with the command line or the input; 3 nothing wrong,
-but something undecided. Without a program this demonstrates, and exits with 0.";
+but something undecided; 130 interrupted. Without a program this demonstrates, and exits with 0.";
 
 /// Judge a program, or the built-in f64 filters, against exact truth
 #[derive(clap::Args, Debug)]
@@ -35,6 +40,8 @@ pub(super) struct Check {
     /// Seconds that the program may take for one case, its start included.
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = seconds)]
     time: f64,
+    #[command(flatten)]
+    jobs: Jobs,
     /// Show all findings, not only the worst twenty.
     #[arg(long)]
     all: bool,
@@ -55,17 +62,16 @@ impl Check {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
         let cases = self.selection.cases()?;
         if self.command.is_empty() {
-            let mut forms = Form::ALL;
-            let mut examinees: Vec<&mut dyn Examinee> =
-                forms.iter_mut().map(|form| form as &mut dyn Examinee).collect();
-            let reports = examine(&cases, &mut examinees)?;
+            interrupt::listen(None);
+            let reports = built_in(cases, self.jobs)?;
             self.demonstrate(&reports)?;
-            return Ok(Exit::Clean);
+            let interrupted = reports.iter().any(|report| report.unjudged > 0);
+            return Ok(if interrupted { Exit::Interrupted } else { Exit::Clean });
         }
+        interrupt::listen(Some("stopping after this case; Ctrl-C once more ends at once"));
         let limits = Limits { case_time: Duration::from_secs_f64(self.time), ..Limits::default() };
         let mut subject = Subject::new(&self.command, limits);
-        let mut reports = examine(&cases, &mut [&mut subject])?;
-        let Some(mut report) = reports.pop() else { return Ok(Exit::Clean) };
+        let mut report = examine(cases, &mut subject, self.jobs)?;
         let strays = subject.strays();
         if strays.count > 0 {
             let first: Vec<String> = strays.first.iter().map(|line| format!("{line:?}")).collect();
@@ -85,6 +91,7 @@ impl Check {
         Ok(Exit::of(&report))
     }
 
+    /// Shows the built-in filters side by side.
     fn demonstrate(&self, reports: &[Report]) -> Result<(), Trouble> {
         let mut out = std::io::stdout().lock();
         match self.format {
@@ -114,37 +121,60 @@ impl Check {
     }
 }
 
-/// Asks every examinee every case and judges the replies. A program that cannot even be started the first time is no
-/// finding but a mistake on the command line.
-fn examine(cases: &[Case], examinees: &mut [&mut dyn Examinee]) -> Result<Vec<Report>, Trouble> {
-    let mut reports: Vec<Report> = examinees.iter().map(|examinee| Report::new(examinee.name())).collect();
-    let progress = progress(cases.len());
-    for case in cases {
+/// Asks a program every case, one after the other, and judges the replies; the truths are computed meanwhile and ahead. A
+/// program that cannot even be started the first time is no finding but a mistake on the command line.
+fn examine(cases: Vec<Case>, subject: &mut Subject, jobs: Jobs) -> Result<Report, Trouble> {
+    let mut report = Report::new(subject.name());
+    let all = cases.len();
+    let progress = progress::of_cases(all);
+    let cases: Vec<_> = cases.into_iter().map(Arc::new).collect();
+    let truths = jobs.ahead(cases.clone(), |case: Arc<Case>| Truth::of(&case))?;
+    for (case, truth) in cases.into_iter().zip(truths) {
         progress.set_message(case.id.clone());
-        let truth = Truth::of(case);
-        for (examinee, report) in examinees.iter_mut().zip(&mut reports) {
-            let reply = examinee.reply(case);
-            if let Reply::NotStarted { detail } = &reply
-                && report.results.is_empty()
-            {
-                progress.finish_and_clear();
-                return Err(Trouble::Other { place: examinee.name(), message: detail.clone() });
-            }
-            report.results.push((case.clone(), Judgement::of(case.expect, &truth, &reply)));
+        let reply = subject.reply(&case);
+        if let Reply::NotStarted { detail } = &reply
+            && report.results.is_empty()
+        {
+            progress.finish_and_clear();
+            return Err(Trouble::Other { place: subject.name(), message: detail.clone() });
         }
+        let Some(truth) = truth.wait() else { break };
+        let judgement = Judgement::of(case.expect, &truth, &reply);
+        report.results.push((Arc::unwrap_or_clone(case), judgement));
         progress.inc(1);
+        if interrupt::requested() {
+            break;
+        }
     }
     progress.finish_and_clear();
-    Ok(reports)
+    report.unjudged = all - report.results.len();
+    Ok(report)
 }
 
-/// A bar on standard error, if somebody is looking.
-fn progress(cases: usize) -> ProgressBar {
-    let target =
-        if std::io::stderr().is_terminal() { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
-    let bar = ProgressBar::with_draw_target(Some(cases as u64), target);
-    match ProgressStyle::with_template("{pos:>4} of {len}  {msg}") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
+/// Judges the built-in filters.
+fn built_in(cases: Vec<Case>, jobs: Jobs) -> Result<Vec<Report>, Trouble> {
+    let mut reports: Vec<_> = Form::ALL.iter().map(|form| Report::new(form.name())).collect();
+    let all = cases.len();
+    let progress = progress::of_cases(all);
+    let judge = |case: Case| {
+        let truth = Truth::of(&case);
+        let judgement = |mut form: Form| Judgement::of(case.expect, &truth, &form.reply(&case));
+        (Form::ALL.map(judgement), case)
+    };
+    for judged in jobs.ahead(cases, judge)? {
+        let Some((judgements, case)) = judged.wait() else { break };
+        progress.set_message(case.id.clone());
+        for (report, judgement) in reports.iter_mut().zip(judgements) {
+            report.results.push((case.clone(), judgement));
+        }
+        progress.inc(1);
+        if interrupt::requested() {
+            break;
+        }
     }
+    progress.finish_and_clear();
+    for report in &mut reports {
+        report.unjudged = all - report.results.len();
+    }
+    Ok(reports)
 }

@@ -15,8 +15,10 @@ pub(super) enum Exit {
     Findings = 1,
     /// Usage, input, output.
     Trouble = 2,
-    /// Nothing wrong, but something undecided, or nothing judged at all.
+    /// Nothing wrong, but something undecided or too long, or nothing judged at all.
     Undecided = 3,
+    /// Ctrl-C, as shells count it: 128 and the number of the signal.
+    Interrupted = 130,
 }
 
 impl From<Exit> for ExitCode {
@@ -27,13 +29,21 @@ impl From<Exit> for ExitCode {
 
 impl Exit {
     pub(super) fn of(report: &Report) -> Self {
-        if !report.findings().is_empty() {
+        if report.unjudged > 0 {
+            Self::Interrupted
+        } else if !report.findings().is_empty() {
             Self::Findings
         } else if report.is_undecided() || report.is_unsupported() {
             Self::Undecided
         } else {
             Self::Clean
         }
+    }
+
+    /// The one that says more: an interruption, then trouble, findings, what is undecided.
+    pub(super) fn or(self, other: Self) -> Self {
+        let order = [Self::Interrupted, Self::Trouble, Self::Findings, Self::Undecided];
+        order.into_iter().find(|exit| [self, other].contains(exit)).unwrap_or(Self::Clean)
     }
 }
 

@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use super::Format;
 use super::exit::{Exit, Trouble};
 use super::input::{Selection, text as read};
+use super::parallel::Jobs;
+use super::{interrupt, progress};
 use crate::judge::{Judgement, Truth};
-use crate::protocol::{Answer, Reply};
+use crate::protocol::{Answer, Case, Reply};
 use crate::report::{Report, json, text};
 
 const EXAMPLES: &str = "\
@@ -17,7 +19,8 @@ Examples:
   python3 examples/subjects/textbook.py < cases.jsonl > answers.jsonl   a program answers
   exact-kalman judge answers.jsonl                                      judge what it said
 
-Answers may stand in any order; a case without one is a finding.";
+Answers may stand in any order; a case without one is a finding. Ctrl-C stops: the report is on what was
+judged by then, says so, and the exit code is 130; a second Ctrl-C ends at once, without a report.";
 
 /// Judge answers that were saved to a file
 #[derive(clap::Args, Debug)]
@@ -27,6 +30,8 @@ pub(super) struct JudgeAnswers {
     answers: PathBuf,
     #[command(flatten)]
     selection: Selection,
+    #[command(flatten)]
+    jobs: Jobs,
     /// Show all findings, not only the worst twenty.
     #[arg(long)]
     all: bool,
@@ -41,17 +46,24 @@ impl JudgeAnswers {
             let message = "cases and answers cannot both be read from standard input".to_owned();
             return Err(Trouble::Other { place: "-".into(), message });
         }
+        interrupt::listen(None);
         let cases = self.selection.cases()?;
         let mut report = Report::new(self.answers.display().to_string());
         let mut answers = Answers::of(&read(&self.answers)?, &mut report.remarks);
-        for case in cases {
-            let judgement = match answers.0.remove(&case.id) {
-                Some(Ok(answer)) => Judgement::of(case.expect, &Truth::of(&case), &Reply::Answer(answer)),
-                Some(Err(why)) => Judgement::unanswered(why),
-                None => Judgement::unanswered("there is no answer to this case"),
-            };
+        let questions: Vec<_> = cases.into_iter().map(|case| (answers.0.remove(&case.id), case)).collect();
+        let all = questions.len();
+        let progress = progress::of_cases(all);
+        for judged in self.jobs.ahead(questions, |(answer, case)| (judgement(&case, answer), case))? {
+            let Some((judgement, case)) = judged.wait() else { break };
+            progress.set_message(case.id.clone());
             report.results.push((case, judgement));
+            progress.inc(1);
+            if interrupt::requested() {
+                break;
+            }
         }
+        progress.finish_and_clear();
+        report.unjudged = all - report.results.len();
         for id in answers.0.keys() {
             report.remarks.push(format!("{id:?} is answered, but it is no case that was asked"));
         }
@@ -61,6 +73,15 @@ impl JudgeAnswers {
             Format::Json => writeln!(out, "{}", json(&report))?,
         }
         Ok(Exit::of(&report))
+    }
+}
+
+/// The judgement on the answer to a case.
+fn judgement(case: &Case, answer: Option<Result<Answer, String>>) -> Judgement {
+    match answer {
+        Some(Ok(answer)) => Judgement::of(case.expect, &Truth::of(case), &Reply::Answer(answer)),
+        Some(Err(why)) => Judgement::unanswered(why),
+        None => Judgement::unanswered("there is no answer to this case"),
     }
 }
 

@@ -9,15 +9,21 @@ mod estimate;
 mod exit;
 mod identify;
 mod input;
+mod interrupt;
 mod judge;
+mod length;
 mod numbers;
+mod parallel;
 mod price;
+mod progress;
 mod proved;
 mod reproduce;
+mod rest;
 mod shown;
 mod solve;
 mod spec;
 mod stability;
+mod steps;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -33,7 +39,7 @@ Examples:
 
 Results go to standard output, talk to standard error.
 Exit codes: 0 all agree; 1 some finding; 2 trouble with the command line or the input;
-3 nothing wrong, but something undecided";
+3 nothing wrong, but something undecided or too long; 130 interrupted by Ctrl-C";
 
 /// The exact reference for Kalman filtering: exact values, and a judge for any program
 #[derive(Parser, Debug)]

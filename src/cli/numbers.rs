@@ -25,6 +25,11 @@ impl Numbers {
 }
 
 impl Numbers {
+    /// The decimal for an integer over a positive one; nothing is brought to lowest terms for it.
+    pub(super) fn decimal(self, numerator: &BigInt, denominator: &BigInt) -> Decimal {
+        Decimal::rounded(&Rational::new_raw(numerator.clone(), denominator.clone()), self.digits)
+    }
+
     /// A text for a bound from above: where it is rounded, it stands for no less.
     pub(super) fn above(self, value: &Rational) -> String {
         self.text(&self.moved(value, |rounded| rounded >= value, 1))

@@ -1,69 +1,75 @@
-//! What `solve` shows of a case: the values of each step, by name.
+//! What `solve` shows of a step: its values, by name.
 
-use crate::filter::{
-    Effort, FilterError, RationalFilterError, RationalStep, StepAhead, filter, filter_rational, predict_ahead,
-};
-use crate::matrix::Matrix;
-use crate::model::{Path, PathAhead};
-use crate::scalar::{Precision, Rational};
+use num_bigint::BigInt;
+
+use super::steps::Step;
+use crate::filter::{RationalStep, StepAhead};
+use crate::matrix::{Fractions, Matrix};
+use crate::scalar::Rational;
 use crate::trace::{Moments, Quantity, Record, Values};
 
-/// What is shown of a step.
-pub(super) struct Shown {
-    pub(super) values: Values<Rational>,
-    pub(super) more: Vec<(String, Matrix<Rational>)>,
-    pub(super) ahead: Vec<Moments<Rational>>,
+/// What is shown of a step, in numbers as they are printed.
+pub(super) struct Shown<T> {
+    pub(super) values: Values<T>,
+    pub(super) more: Vec<(String, Matrix<T>)>,
+    pub(super) ahead: Vec<Moments<T>>,
 }
 
-/// Why there is no answer from some step on.
-pub(super) struct Stopped {
-    pub(super) step: usize,
-    pub(super) reason: String,
-}
-
-/// The filter, by its fast route.
-pub(super) fn solved(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {
-    let show = |step: &RationalStep| Shown {
-        values: step.fractions(Precision::Exact).values,
-        more: Vec::new(),
-        ahead: Vec::new(),
-    };
-    match filter_rational(path, Effort::default()) {
-        Ok(steps) => (steps.iter().map(show).collect(), None),
-        Err(RationalFilterError { step, reason, computed }) => {
-            (computed.iter().map(show).collect(), Some(Stopped { step, reason: reason.to_string() }))
+impl<T: Clone> Shown<T> {
+    /// What is shown of a step; `number` makes what is printed of an integer over a positive one.
+    ///
+    /// Of the predictor that are the named quantities of its record (`everything`), or those that are shown without being
+    /// asked for.
+    pub(super) fn of(step: &Step, everything: bool, number: impl Fn(&BigInt, &BigInt) -> T) -> Self {
+        match step {
+            Step::Fast(step) => Self { values: values(step, number), more: Vec::new(), ahead: Vec::new() },
+            Step::Readable(record) => named(record).map(number),
+            Step::Ahead(step) => {
+                let StepAhead { record, ahead } = &**step;
+                let mut shown = named(record);
+                if !everything {
+                    shown.values.remove(&Quantity::Gain);
+                    shown.more.clear();
+                }
+                Shown { ahead: ahead.clone(), ..shown }.map(number)
+            }
         }
     }
 }
 
-/// The filter, with every named quantity.
-pub(super) fn traced(path: &Path<Rational>) -> (Vec<Shown>, Option<Stopped>) {
-    let (records, stopped) = match filter(path) {
-        Ok(trace) => (trace.records, None),
-        Err(error) => (error.computed, Some(Stopped { step: error.step, reason: error.source.to_string() })),
+/// The values of a step of the fast route, each pair of a symmetric matrix made once.
+fn values<T: Clone>(step: &RationalStep, number: impl Fn(&BigInt, &BigInt) -> T) -> Values<T> {
+    let printed = |(&quantity, fractions): (&Quantity, &Fractions)| {
+        let Fractions { numerators, denominator } = fractions;
+        let entry = |i: usize, j: usize| number(&numerators[(i, j)], denominator);
+        if !quantity.is_covariance() {
+            return (quantity, numerators.map(|numerator| number(numerator, denominator)));
+        }
+        let lower: Vec<Vec<T>> = (0..numerators.rows()).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
+        let n = numerators.rows();
+        (quantity, Matrix::from_fn(n, n, |i, j| lower[i.max(j)][i.min(j)].clone()))
     };
-    (records.iter().map(everything).collect(), stopped)
+    step.values.iter().map(printed).collect()
 }
 
-/// The predictor, with every named quantity of its records or with those that are shown without being asked for.
-pub(super) fn predicted(path: &PathAhead<Rational>, trace: bool) -> (Vec<Shown>, Option<Stopped>) {
-    let (computed, stopped) = match predict_ahead(path) {
-        Ok(computed) => (computed, None),
-        Err(FilterError { step, source, computed }) => (computed, Some(Stopped { step, reason: source.to_string() })),
-    };
-    let show = |StepAhead { record, ahead }: StepAhead<Rational>| {
-        let mut shown = everything(&record);
-        if !trace {
-            shown.values.remove(&Quantity::Gain);
-            shown.more.clear();
+impl Shown<Rational> {
+    fn map<T>(&self, number: impl Fn(&BigInt, &BigInt) -> T) -> Shown<T> {
+        let matrix = |matrix: &Matrix<Rational>| matrix.map(|entry| number(entry.numer(), entry.denom()));
+        let moments = |law: &Moments<Rational>| Moments {
+            mean: matrix(&law.mean),
+            covariance: matrix(&law.covariance),
+            diffuse: law.diffuse.as_ref().map(matrix),
+        };
+        Shown {
+            values: self.values.iter().map(|(&quantity, values)| (quantity, matrix(values))).collect(),
+            more: self.more.iter().map(|(name, values)| (name.clone(), matrix(values))).collect(),
+            ahead: self.ahead.iter().map(moments).collect(),
         }
-        Shown { ahead, ..shown }
-    };
-    (computed.steps.into_iter().map(show).collect(), stopped)
+    }
 }
 
 /// The moments of a state i steps ahead, by name; of one that is still diffuse only if everything is asked for.
-pub(super) fn named_ahead(i: usize, law: &Moments<Rational>, everything: bool) -> Vec<(String, &Matrix<Rational>)> {
+pub(super) fn named_ahead<T>(i: usize, law: &Moments<T>, everything: bool) -> Vec<(String, &Matrix<T>)> {
     let Moments { mean, covariance, diffuse } = law;
     match diffuse {
         None => vec![(format!("mean {i} ahead"), mean), (format!("covariance {i} ahead"), covariance)],
@@ -76,8 +82,8 @@ pub(super) fn named_ahead(i: usize, law: &Moments<Rational>, everything: bool) -
     }
 }
 
-/// Every named quantity of a record that is not among its values.
-fn everything(record: &Record<Rational>) -> Shown {
+/// Every named quantity of a record: its values, and what is not among them.
+fn named(record: &Record<Rational>) -> Shown<Rational> {
     let number = |value: Rational| Matrix::column(vec![value]);
     let mut more = Vec::new();
     let mut add = |name: &str, matrix: Matrix<Rational>| more.push((name.to_owned(), matrix));

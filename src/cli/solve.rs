@@ -1,17 +1,23 @@
 //! `solve`: the exact answer to a case.
 
-use std::io::Write;
+use std::fmt::{Display, Write as _};
+use std::io::{BufWriter, Write};
 use std::num::NonZero;
 use std::path::PathBuf;
 
+use num_bigint::BigInt;
+
 use super::Format;
 use super::exit::{Exit, Trouble};
-use super::input;
+use super::length::MaximalBits;
 use super::numbers::{Numbers, laid_out};
-use super::shown::{Shown, Stopped, named_ahead, predicted, solved, traced};
-use crate::protocol::{Answer, AnswerNumber, Case, CaseError, Decimal, LawAhead, Outcome};
-use crate::scalar::Rational;
-use crate::trace::{Moments, Values};
+use super::shown::{Shown, named_ahead};
+use super::steps::{Source, Stop};
+use super::{input, interrupt, progress};
+use crate::filter::StopReason;
+use crate::protocol::{Answer, AnswerNumber, AnswerStream, Case, CaseError, LawAhead, Outcome};
+use crate::scalar::{Precision, Rational};
+use crate::trace::Moments;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,8 +28,13 @@ Examples:
   exact-kalman solve examples/cases/nile.json --last --ahead 3    and the next three states
   exact-kalman cases --only basic --format json | exact-kalman solve - --format json
 
+Each step is printed as soon as it is known. Ctrl-C stops: what is known by then is printed, with a note
+on where it ends, and the exit code is 130; a second Ctrl-C ends at once. There is no way to go on from there:
+the next run begins anew.
+
 A case that is no valid problem is refused, with the reason; the others are answered all the same. Exit
-codes: 0 all answered, 1 some data contradict their model, 2 some case refused, or other trouble";
+codes: 0 all answered, 1 some data contradict their model, 2 some case refused, or other trouble,
+3 nothing of that, but some numbers grew too long, 130 interrupted";
 
 /// Print the exact answer to cases, correctly rounded
 #[derive(clap::Args, Debug)]
@@ -44,6 +55,12 @@ pub(super) struct Solve {
     /// transitions may go on beyond the last reading, and prediction ends where they do.
     #[arg(long, value_name = "STEPS", value_parser = ahead)]
     ahead: Option<NonZero<usize>>,
+    /// How long denominators may become, in bits, or `none`. What was computed before is printed. It bounds time and memory,
+    /// since all numbers of a step have about that length; with --trace and --ahead, whose fractions cost far more, a
+    /// sixteenth of it counts [default: 2^31 / (m + 2n)^2 for n states and m sensors, which keeps memory below some two
+    /// gibibytes].
+    #[arg(long, value_name = "BITS")]
+    max_bits: Option<MaximalBits>,
     /// How to print the answers; JSON is that of docs/PROTOCOL.md, one answer on each line.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -59,100 +76,191 @@ fn ahead(text: &str) -> Result<NonZero<usize>, String> {
 
 impl Solve {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
-        let mut out = std::io::stdout().lock();
+        interrupt::listen(None);
+        // Every step is flushed, so that it is seen when it is known.
+        let mut out = BufWriter::new(std::io::stdout().lock());
         let mut exit = Exit::Clean;
-        for case in input::cases(&self.case)? {
-            let (steps, stopped) = match self.results(&case) {
-                Ok(results) => results,
+        let mut cases = input::cases(&self.case)?.into_iter();
+        for case in cases.by_ref() {
+            match self.source(&case) {
+                Ok(source) => {
+                    if case.initial.allow_indefinite {
+                        eprintln!(
+                            "{}: the override for an indefinite initial covariance is set: if it is one, these are numbers \
+                             of the recursion and no conditional moments, and a contradiction says nothing about the data",
+                            case.id
+                        );
+                    }
+                    let numbers = self.numbers;
+                    exit = exit.or(if numbers.exact {
+                        self.answer(&mut out, &case.id, source, |n, d| Precision::Exact.quotient(n, d))?
+                    } else {
+                        self.answer(&mut out, &case.id, source, |n, d| numbers.decimal(n, d))?
+                    });
+                }
                 // One bad case does not hide the others.
                 Err(why) => {
                     eprintln!("error: case {:?}: {why}", case.id);
-                    exit = Exit::Trouble;
+                    exit = exit.or(Exit::Trouble);
                     if self.format == Format::Json {
                         writeln!(out, "{}", refusal(&case, why.to_string()))?;
+                        out.flush()?;
                     }
-                    continue;
-                }
-            };
-            if case.initial.allow_indefinite {
-                eprintln!(
-                    "{}: the override for an indefinite initial covariance is set: if it is one, these are numbers of the \
-                     recursion and no conditional moments, and a contradiction says nothing about the data",
-                    case.id
-                );
-            }
-            if let Some(Stopped { step, reason }) = &stopped {
-                eprintln!("{}: at step {step} {reason}", case.id);
-                if exit == Exit::Clean {
-                    exit = Exit::Findings;
                 }
             }
-            match self.format {
-                Format::Text => self.write_text(&mut out, &case, &steps)?,
-                Format::Json => writeln!(out, "{}", self.answer(&case, &steps, stopped))?,
+            if interrupt::requested() {
+                break;
             }
+        }
+        if cases.len() > 0 {
+            let were = if cases.len() == 1 { "case was" } else { "cases were" };
+            eprintln!("interrupted: {} more {were} not begun", cases.len());
+            exit = Exit::Interrupted;
         }
         Ok(exit)
     }
 
-    fn results(&self, case: &Case) -> Result<(Vec<Shown>, Option<Stopped>), CaseError> {
+    fn source(&self, case: &Case) -> Result<Source, CaseError> {
         let problem = case.problem()?;
         Ok(match self.ahead {
-            Some(steps_ahead) => predicted(&problem.realised_ahead(steps_ahead)?, self.trace),
-            None if self.trace => traced(&problem.realised()?),
-            None => solved(&problem.realised()?),
+            Some(steps_ahead) => Source::Ahead(problem.realised_ahead(steps_ahead)?),
+            None if self.trace => Source::Readable(problem.realised()?),
+            None => Source::Fast(problem.realised()?),
         })
     }
 
-    fn write_text(&self, out: &mut impl Write, case: &Case, steps: &[Shown]) -> Result<(), Trouble> {
-        let first = if self.last { steps.len().saturating_sub(1) } else { 0 };
-        for (step, shown) in steps.iter().enumerate().skip(first) {
-            writeln!(out, "{} · step {step}", case.id)?;
-            let named = shown.values.iter().map(|(quantity, matrix)| (quantity.to_string(), matrix));
-            let more = shown.more.iter().map(|(name, matrix)| (name.clone(), matrix));
-            let ahead = (1..).zip(&shown.ahead).flat_map(|(i, law)| named_ahead(i, law, self.trace));
-            let all: Vec<_> = named.chain(more).chain(ahead).collect();
-            if all.is_empty() {
-                writeln!(out, "  (the start is diffuse, and not yet resolved)")?;
+    /// Prints the steps of a case as they become known.
+    fn answer<T: AnswerNumber + Clone + Display>(
+        &self,
+        out: &mut impl Write,
+        id: &str,
+        source: Source,
+        number: impl Fn(&BigInt, &BigInt) -> T,
+    ) -> Result<Exit, Trouble> {
+        let path = source.path();
+        let all = path.steps().len();
+        let limit = self.max_bits.unwrap_or_default().of(path.states(), path.sensors());
+        let mut steps = source.steps(limit);
+        let mut progress = progress::Steps::of(id, all);
+        let mut page = match self.format {
+            Format::Json => Page::Json(AnswerStream::begin::<T>(out, id)?),
+            Format::Text => Page::Text(out),
+        };
+        let (mut last, mut known) = (None, 0);
+        let stop = loop {
+            let (step, bits) = match steps.next(|| progress.tick()) {
+                Ok(step) => step,
+                Err(stop) => break stop,
+            };
+            progress.step(bits);
+            match &mut page {
+                Page::Json(stream) => {
+                    let Shown { values, ahead, .. } = Shown::of(&step, self.trace, &number);
+                    let laws: Vec<_> = ahead.into_iter().map(law).collect();
+                    progress.aside(|| stream.step(&values, &laws))?;
+                }
+                Page::Text(_) if self.last => last = Some(step),
+                Page::Text(out) => {
+                    let text = self.text(id, known, &Shown::of(&step, self.trace, &number));
+                    progress.aside(|| out.write_all(text.as_bytes()).and_then(|()| out.flush()))?;
+                }
             }
-            for (name, matrix) in all {
-                writeln!(out, "  {name:36} {}", laid_out(&matrix.map(|entry| self.numbers.text(entry))))?;
+            known += 1;
+        };
+        drop(progress);
+        let ended = Ended::of(stop, known, all);
+        if let Some(ended) = &ended {
+            eprintln!("{id}: {}", ended.told(self.last && self.format == Format::Text));
+        }
+        match page {
+            Page::Json(stream) => match &ended {
+                Some(Ended { step, reason, outcome, .. }) => stream.end(*outcome, Some(*step), Some(reason.clone()))?,
+                None => stream.end(Outcome::Answered, None, None)?,
+            },
+            Page::Text(out) => {
+                if let Some(step) = last {
+                    out.write_all(self.text(id, known - 1, &Shown::of(&step, self.trace, &number)).as_bytes())?;
+                }
+                out.flush()?;
             }
         }
-        Ok(())
+        Ok(ended.map_or(Exit::Clean, |ended| ended.exit))
     }
 
-    fn answer(&self, case: &Case, steps: &[Shown], stopped: Option<Stopped>) -> String {
-        if self.numbers.exact {
-            return answer_line(case, steps, stopped, Rational::clone);
+    fn text<T: Clone + Display>(&self, id: &str, step: usize, shown: &Shown<T>) -> String {
+        let mut text = format!("{id} · step {step}\n");
+        let named = shown.values.iter().map(|(quantity, matrix)| (quantity.to_string(), matrix));
+        let more = shown.more.iter().map(|(name, matrix)| (name.clone(), matrix));
+        let ahead = (1..).zip(&shown.ahead).flat_map(|(i, law)| named_ahead(i, law, self.trace));
+        let all: Vec<_> = named.chain(more).chain(ahead).collect();
+        if all.is_empty() {
+            text += "  (the start is diffuse, and not yet resolved)\n";
         }
-        answer_line(case, steps, stopped, |value| Decimal::rounded(value, self.numbers.digits))
+        for (name, matrix) in all {
+            let _ = writeln!(text, "  {name:36} {}", laid_out(&matrix.map(ToString::to_string)));
+        }
+        text
     }
 }
 
-fn answer_line<T: AnswerNumber>(
-    case: &Case,
-    steps: &[Shown],
-    stopped: Option<Stopped>,
-    number: impl Fn(&Rational) -> T,
-) -> String {
-    let values = |shown: &Shown| -> Values<T> {
-        shown.values.iter().map(|(quantity, matrix)| (*quantity, matrix.map(&number))).collect()
-    };
-    let law = |Moments { mean, covariance, diffuse }: &Moments<Rational>| {
-        diffuse.is_none().then(|| LawAhead { mean: mean.map(&number), covariance: covariance.map(&number) })
-    };
-    let mut answer = Answer::answered(&case.id, steps.iter().map(values).collect());
-    answer.ahead = steps.iter().map(|shown| shown.ahead.iter().map(law).collect()).collect();
-    if let Some(Stopped { step, reason }) = stopped {
-        answer.outcome = Outcome::Flagged;
-        answer.step = Some(step);
-        answer.message = Some(reason);
-    }
-    answer.to_line()
+/// Where an answer is written to.
+enum Page<'a, W> {
+    Text(&'a mut W),
+    Json(AnswerStream<&'a mut W>),
+}
+
+fn law<T>(Moments { mean, covariance, diffuse }: Moments<T>) -> Option<LawAhead<T>> {
+    diffuse.is_none().then_some(LawAhead { mean, covariance })
 }
 
 fn refusal(case: &Case, why: String) -> String {
     let answer = Answer::<Rational>::answered(&case.id, Vec::new());
     Answer { outcome: Outcome::Refused, message: Some(why), ..answer }.to_line()
+}
+
+/// Why an answer ends before its last step.
+struct Ended {
+    /// The first step that is not known.
+    step: usize,
+    reason: String,
+    /// What to do instead.
+    instead: &'static str,
+    outcome: Outcome,
+    exit: Exit,
+}
+
+impl Ended {
+    fn of(stop: Stop, step: usize, all: usize) -> Option<Self> {
+        let ended = |reason, instead, outcome, exit| Some(Self { step, reason, instead, outcome, exit });
+        match stop {
+            Stop::Ended => None,
+            Stop::Interrupted => ended(
+                format!("it was interrupted, {step} of {all} steps are known"),
+                "; for the rest run it again: it begins anew",
+                Outcome::Error,
+                Exit::Interrupted,
+            ),
+            Stop::Reason(reason @ StopReason::TooLong { .. }) => ended(
+                reason.to_string(),
+                "; give a higher --max-bits (time and memory grow with it), fewer observations, or data of fewer digits: \
+                 with each step numbers lengthen by about what its data have",
+                Outcome::Error,
+                Exit::Undecided,
+            ),
+            Stop::Reason(reason) => ended(reason.to_string(), "", Outcome::Flagged, Exit::Findings),
+        }
+    }
+
+    /// What is said on standard error.
+    fn told(&self, only_last: bool) -> String {
+        let Self { step, reason, instead, .. } = self;
+        let printed = match (instead.is_empty(), step) {
+            (true, _) => "",
+            (_, 0) => "; no step is known",
+            (_, 1) => "; the step before it is printed",
+            _ if only_last => "; the last step before it is printed",
+            _ => "; the steps before it are printed",
+        };
+        format!("at step {step} {reason}{printed}{instead}")
+    }
 }

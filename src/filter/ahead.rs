@@ -2,6 +2,7 @@
 
 use super::FilterError;
 use super::recursion::{Recursion, propagated};
+use crate::gaussian::ConditionError;
 use crate::model::PathAhead;
 use crate::scalar::Scalar;
 use crate::trace::{Moments, Record};
@@ -74,16 +75,47 @@ pub struct TraceAhead<S> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn predict_ahead<S: Scalar>(path: &PathAhead<S>) -> Result<TraceAhead<S>, FilterError<S, TraceAhead<S>>> {
-    let mut filter = Recursion::new(path.path());
-    let mut computed = TraceAhead { start: laws(&filter, 0, path), steps: Vec::new() };
-    for (k, step) in path.path().steps().iter().enumerate() {
-        if let Err(source) = filter.advance(step) {
-            return Err(FilterError { step: k, source, computed });
+    let mut predictions = Predictions::new(path);
+    let mut computed = TraceAhead { start: laws(&predictions.filter, 0, path), steps: Vec::new() };
+    for step in &mut predictions {
+        match step {
+            Ok(step) => computed.steps.push(step),
+            Err(source) => return Err(FilterError { step: computed.steps.len(), source, computed }),
         }
-        let ahead = laws(&filter, k + 1, path);
-        computed.steps.extend(filter.records.pop().map(|record| StepAhead { record, ahead }));
     }
     Ok(computed)
+}
+
+/// The predictor, one observation at a time: nothing but the state is kept.
+///
+/// It ends with the path, or with the reason why it cannot go on.
+#[derive(Debug)]
+pub struct Predictions<'a, S> {
+    path: &'a PathAhead<S>,
+    filter: Recursion<S>,
+    done: usize,
+}
+
+impl<'a, S: Scalar> Predictions<'a, S> {
+    /// The predictor before the first observation.
+    pub fn new(path: &'a PathAhead<S>) -> Self {
+        Self { path, filter: Recursion::new(path.path()), done: 0 }
+    }
+}
+
+impl<S: Scalar> Iterator for Predictions<'_, S> {
+    type Item = Result<StepAhead<S>, ConditionError<S>>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let step = self.path.path().steps().get(self.done)?;
+        self.done += 1;
+        if let Err(reason) = self.filter.advance(step) {
+            return Some(Err(reason));
+        }
+        let ahead = laws(&self.filter, self.done, self.path);
+        // After it has stopped there is no state, and no record.
+        self.filter.records.pop().map(|record| Ok(StepAhead { record, ahead }))
+    }
 }
 
 /// The laws of x_next, x_{next+1}, …, given what the filter has seen.

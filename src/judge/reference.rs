@@ -2,6 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
+use super::limits::maximal_bits;
 use super::perturb::{Perturbation, Readings};
 use super::scale::Largest;
 use super::{Digits, Scale, digits, nearby};
@@ -14,15 +17,9 @@ use crate::trace::{Quantity, Values};
 /// Significant bits of the truth that digits are counted against: far more than 17 digits need.
 pub(super) const BITS: u32 = 256;
 
-/// The square of the length in bits that exact denominators may reach, times states plus sensors: 2¹⁷ bits for one of
-/// each, some eight hundred steps of full doubles, and less for more, so that no case takes minutes. What is longer is
-/// left undecided.
-const MAXIMAL_SIZE: u64 = 1 << 35;
-
 /// The effort that is made for a path.
 fn effort(path: &Path<Rational>) -> Effort {
-    let dimensions = u64::try_from(path.states() + path.sensors()).unwrap_or(u64::MAX).max(1);
-    Effort { maximal_bits: Some((MAXIMAL_SIZE / dimensions).isqrt()), ..Effort::default() }
+    Effort { maximal_bits: Some(maximal_bits(path)), ..Effort::default() }
 }
 
 /// How many perturbed problems are solved.
@@ -129,18 +126,10 @@ impl Reference {
     }
 }
 
-/// The answers to the perturbed problems, computed side by side; their order does not depend on that.
+/// The answers to the perturbed problems, computed side by side on the threads of the caller's pool; their order does not
+/// depend on that.
 fn perturbed_answers(path: &Path<Rational>, readings: Readings) -> Vec<Vec<StepValues>> {
     let maximal_bits = effort(path).maximal_bits;
     let solve = |seed: u64| nearby::answer(&Perturbation::seeded(seed, readings).of(path), maximal_bits);
-    let workers = std::thread::available_parallelism().map_or(1, usize::from).min(8);
-    std::thread::scope(|scope| {
-        let share =
-            |first: usize| scope.spawn(move || (0..DRAWS).skip(first).step_by(workers).map(solve).collect::<Vec<_>>());
-        let shares: Vec<_> = (0..workers).map(share).collect();
-        shares
-            .into_iter()
-            .flat_map(|share| share.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
-            .collect()
-    })
+    (0..DRAWS).into_par_iter().map(solve).collect()
 }

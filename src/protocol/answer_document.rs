@@ -61,6 +61,16 @@ impl AnswerDocument {
     }
 }
 
+/// What follows the steps of an answer that is written while it is found.
+#[derive(Serialize)]
+pub(super) struct Ending {
+    pub(super) outcome: Outcome,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) step: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) message: Option<String>,
+}
+
 /// The quantities of one step, by name, and the laws ahead of it.
 pub(super) struct StepDocument {
     pub(super) quantities: BTreeMap<Quantity, Nested>,

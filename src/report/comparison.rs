@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use comfy_table::CellAlignment;
 
 use super::Report;
-use super::text::{plain_table, printable, trimmed};
+use super::text::{incomplete, plain_table, printable, trimmed};
 use crate::judge::{Digits, Judgement, Score, Verdict};
 use crate::trace::Quantity;
 
@@ -35,7 +35,7 @@ pub fn side_by_side(reports: &[Report]) -> String {
         let counts: Vec<String> = report.counts().iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
         let _ = writeln!(out, "{:16}{}", report.examinee, counts.join(", "));
     }
-    out
+    out + &reports.first().map(incomplete).unwrap_or_default()
 }
 
 /// `mean/covariance`, or nothing if neither was judged.

@@ -6,7 +6,7 @@ use super::{Report, entry};
 use crate::judge::{Judgement, Score};
 use crate::protocol::Case;
 
-/// One object per examinee: counts by verdict, and for each case the verdict, its reasons and the digits.
+/// One object per examinee: counts by verdict, how many cases an interruption left unjudged, and for each case the verdict, its reasons and the digits.
 pub fn json(report: &Report) -> Value {
     let counts: serde_json::Map<String, Value> =
         report.counts().into_iter().map(|(verdict, count)| (verdict.to_owned(), count.into())).collect();
@@ -15,6 +15,7 @@ pub fn json(report: &Report) -> Value {
         "examinee": report.examinee,
         "counts": counts,
         "remarks": report.remarks,
+        "unjudged": report.unjudged,
         "cases": report.results.iter().map(|(case, judgement)| result(case, judgement)).collect::<Vec<_>>(),
     })
 }

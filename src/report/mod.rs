@@ -25,6 +25,8 @@ pub struct Report {
     pub examinee: String,
     /// The cases with their judgements.
     pub results: Vec<(Case, Judgement)>,
+    /// How many cases were to be judged and were not, since the run was interrupted: the report is then incomplete.
+    pub unjudged: usize,
     /// What is to be said of the whole run, such as stray lines.
     pub remarks: Vec<String>,
 }
@@ -32,7 +34,7 @@ pub struct Report {
 impl Report {
     /// A report without judgements.
     pub fn new(examinee: impl Into<String>) -> Self {
-        Self { examinee: examinee.into(), results: Vec::new(), remarks: Vec::new() }
+        Self { examinee: examinee.into(), results: Vec::new(), unjudged: 0, remarks: Vec::new() }
     }
 
     /// How many cases came to which verdict, best verdict first.

@@ -41,7 +41,15 @@ pub fn text(report: &Report, all: bool) -> String {
     }
     let counts: Vec<String> = report.counts().iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
     let _ = writeln!(out, "{}: {}", counted(report.results.len(), "case"), counts.join(", "));
-    out
+    out + &incomplete(report)
+}
+
+/// What is to be said of a report that is not on all cases.
+pub(super) fn incomplete(report: &Report) -> String {
+    match report.unjudged {
+        0 => String::new(),
+        cases => format!("incomplete: interrupted, and {} not judged\n", counted(cases, "more case")),
+    }
 }
 
 fn counted(count: usize, noun: &str) -> String {

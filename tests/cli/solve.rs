@@ -82,6 +82,26 @@ fn the_trace_has_every_quantity() {
     assert!(out.contains("covariance of order kappa  1\n"), "{out}");
 }
 
+/// Two routes, step by step: what the fast one prints is what the recursion prints of it, up to the same contradictions.
+#[test]
+fn the_trace_says_what_is_said_without_it() {
+    let selection = ["cases", "--only", "basic", "--only", "singular", "--only", "diffuse", "--format", "json"];
+    let cases: String =
+        run(&selection).quietly(0).lines().filter(|case| case.len() < 4000).flat_map(|case| [case, "\n"]).collect();
+    let (fast, trace) = (feed(&["solve", "-", "--exact"], &cases), feed(&["solve", "-", "--exact", "--trace"], &cases));
+    let ahead = feed(&["solve", "-", "--exact", "--ahead", "1"], &cases);
+    assert_eq!((fast.code, &fast.stderr), (trace.code, &trace.stderr));
+    assert_eq!((fast.code, &fast.stderr), (ahead.code, &ahead.stderr));
+    let lines: Vec<&str> = fast.stdout.lines().filter(|line| !line.contains("not yet resolved")).collect();
+    for more in [&trace.stdout, &ahead.stdout] {
+        let mut more = more.lines();
+        for line in &lines {
+            assert!(more.any(|other| other == *line), "{line}");
+        }
+    }
+    assert!(lines.len() > 300, "{}", lines.len());
+}
+
 #[test]
 fn predictions_ahead() {
     // By hand: filtered 1/2 and 1/2, then 2 and 3/5; a walk stays where it is, and its variance grows by one a step.

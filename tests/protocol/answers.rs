@@ -3,7 +3,7 @@
 use std::slice::from_ref;
 
 use exact_kalman::matrix::Matrix;
-use exact_kalman::protocol::{Answer, LawAhead, Number, Outcome};
+use exact_kalman::protocol::{Answer, AnswerStream, LawAhead, Number, Outcome};
 use exact_kalman::scalar::{Rational, exact_value, ratio};
 use exact_kalman::trace::{Quantity, Values};
 use proptest::prelude::*;
@@ -155,5 +155,33 @@ proptest! {
         prop_assert!(line.contains("\"numbers\":\"exact\""));
         let value = Number::Finite(value);
         prop_assert_eq!(&Answer::parse(&line).unwrap().steps[0], &values(from_ref(&value), from_ref(&value)));
+    }
+}
+
+/// Step by step and in one piece an answer reads the same, whatever came of it.
+#[test]
+fn an_answer_that_is_written_while_it_is_found_reads_the_same() {
+    let number = |value| Matrix::column(vec![ratio(value, 3)]);
+    let step = |value| Values::from([(Quantity::FilteredMean, number(value))]);
+    let law = LawAhead { mean: number(1), covariance: number(2) };
+    let ahead = [vec![None, Some(law.clone())], vec![Some(law)], vec![]];
+    for steps in 0..=3_usize {
+        for (outcome, place, message) in
+            [(Outcome::Answered, None, None), (Outcome::Error, Some(steps), Some("quoted \"so\"".to_owned()))]
+        {
+            let mut line = Vec::new();
+            let mut stream = AnswerStream::begin::<Rational>(&mut line, "a \"b\"").unwrap();
+            for (k, laws) in ahead.iter().enumerate().take(steps) {
+                stream.step(&step(i64::try_from(k).unwrap()), laws).unwrap();
+            }
+            stream.end(outcome, place, message.clone()).unwrap();
+            let mut whole =
+                Answer::answered("a \"b\"", (0..i64::try_from(steps).unwrap()).map(step).collect::<Vec<_>>());
+            whole.ahead = ahead[..steps].to_vec();
+            let whole = Answer { outcome, step: place, message, ..whole }.to_line();
+            let line = String::from_utf8(line).unwrap();
+            assert!(line.ends_with("}\n") && line.lines().count() == 1, "{line}");
+            assert_eq!(Answer::parse(&line).unwrap(), Answer::parse(&whole).unwrap());
+        }
     }
 }
