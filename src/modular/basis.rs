@@ -114,7 +114,6 @@ impl Basis {
 impl Extend<PrimeField> for Basis {
     /// Adds primes, which must be new and distinct.
     fn extend<T: IntoIterator<Item = PrimeField>>(&mut self, fields: T) {
-        let begin = self.fields.len();
         for field in fields {
             let modulus = field.modulus();
             let mut own = field.one();
@@ -124,14 +123,11 @@ impl Extend<PrimeField> for Basis {
             }
             self.fields.push(field);
             self.cofactors.push(own);
-        }
-        for at in begin..self.fields.len() {
-            if self.groups.last().is_none_or(|group| group.size == GROUP) {
-                self.groups.push(Group::empty());
-            }
-            let Some(group) = self.groups.last_mut() else { continue };
-            group.push(self.fields[at].modulus());
-            if group.size == GROUP {
+            let mut group = self.groups.pop_if(|group| group.size < GROUP).unwrap_or_else(Group::empty);
+            group.push(modulus);
+            let is_full = group.size == GROUP;
+            self.groups.push(group);
+            if is_full {
                 self.complete();
             }
         }

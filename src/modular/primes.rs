@@ -1,5 +1,7 @@
 //! Primes below 2⁶², from the largest downwards.
 
+use std::sync::{Mutex, PoisonError};
+
 use super::PrimeField;
 
 /// Each of the first 2²⁰ primes below 2⁶² exceeds `2⁶² − 2²⁶`, so k of them multiply to more than `2^(62k−1)`.
@@ -11,30 +13,33 @@ const BASES: [u64; 7] = [2, 325, 9375, 28178, 450_775, 9_780_504, 1_795_265_022]
 /// Divisors that spare most composite numbers the longer test.
 const SMALL: [u64; 14] = [3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47];
 
-/// The primes below 2⁶², from the largest downwards.
-#[derive(Clone, Debug)]
-pub struct Primes {
-    next: u64,
-}
+/// Above all of [`SMALL`].
+const SMALL_END: u64 = 48;
 
-impl Default for Primes {
-    fn default() -> Self {
-        Self { next: (1 << PRIME_BITS) - 1 }
-    }
+/// The primes that this process has found so far, for all who ask.
+static FOUND: Mutex<Vec<PrimeField>> = Mutex::new(Vec::new());
+
+/// The primes below 2⁶², from the largest downwards.
+#[derive(Clone, Debug, Default)]
+pub struct Primes {
+    /// How many were taken.
+    taken: usize,
 }
 
 impl Iterator for Primes {
     type Item = PrimeField;
 
+    /// There are more primes below 2⁶² than any memory holds.
     fn next(&mut self) -> Option<PrimeField> {
-        // There are more primes below 2⁶² than any memory holds.
-        loop {
-            let candidate = self.next;
-            self.next = candidate.checked_sub(2).filter(|next| *next > 2)?;
-            if let Some(field) = prime_field(candidate) {
-                return Some(field);
-            }
+        // A list is right after each push, whoever panicked.
+        let mut found = FOUND.lock().unwrap_or_else(PoisonError::into_inner);
+        while found.len() <= self.taken {
+            let below = found.last().map_or(1 << PRIME_BITS, PrimeField::modulus);
+            let next = (SMALL_END..below).rev().filter(|candidate| candidate % 2 == 1).find_map(prime_field)?;
+            found.push(next);
         }
+        self.taken += 1;
+        found.get(self.taken - 1).copied()
     }
 }
 

@@ -50,18 +50,6 @@ impl Shape {
     }
 }
 
-/// What a step found modulo one prime.
-#[derive(Clone, Debug)]
-pub(super) struct Found {
-    /// Which of the observed entries have pivots.
-    pub(super) pivots: Vec<bool>,
-    /// Whether each row without a pivot vanishes, its innovation included.
-    pub(super) settled: bool,
-    /// d′, then for each target its mean and the lower triangle of its covariance: the integers of the next state,
-    /// each times the inverse of the field's cofactor.
-    pub(super) parts: Vec<u64>,
-}
-
 /// The covariance and the mean of the state modulo one prime, with what its cached coefficients are.
 #[derive(Clone, Debug)]
 pub(super) struct Image {
@@ -74,6 +62,16 @@ pub(super) struct Image {
     coefficients: Option<CoefficientForms>,
     /// Powers of a word, enough for the data.
     pub(super) powers: Vec<u64>,
+    /// What the last step found.
+    found: Found,
+}
+
+/// What a step found modulo one prime.
+#[derive(Clone, Debug, Default)]
+struct Found {
+    pivots: Vec<bool>,
+    settled: bool,
+    parts: Vec<u64>,
 }
 
 /// What is the same for all primes.
@@ -112,7 +110,7 @@ impl Image {
         let divisor = field.product(divisor, form(&exact.pending));
         all.truncate(powers);
         let coefficients = Some(CoefficientForms::of(words, field, &all)?);
-        Some(Self { covariance, mean, divisor, coefficients, powers: all })
+        Some(Self { covariance, mean, divisor, coefficients, powers: all, found: Found::default() })
     }
 
     /// Takes up other coefficients, or longer data.
@@ -128,7 +126,7 @@ impl Image {
         cofactor: u64,
         moment: &Moment<'_>,
         joint: &mut Joint,
-    ) -> Option<Found> {
+    ) -> Option<()> {
         let Moment { shape, constants, scales: [scale, mean_scale], pending } = moment;
         let coefficients = self.coefficients.as_ref()?;
         if let Some((a, q)) = &coefficients.transition {
@@ -137,7 +135,8 @@ impl Image {
         }
         constants.observation.put_forms(field, &self.powers, joint.constant())?;
         joint.assemble(field, coefficients, &self.covariance, &self.mean, *shape);
-        let Elimination { pivots, settled, total, product_of_totals } = joint.eliminate(field, *shape);
+        let Elimination { settled, total, product_of_totals } = joint.eliminate(field, *shape, &mut self.found.pivots);
+        self.found.settled = settled;
 
         let wu = scale.form(field, &self.powers);
         let zu = mean_scale.form(field, &self.powers);
@@ -145,22 +144,43 @@ impl Image {
         let [inverse, of_totals, of_pending, of_cofactor] = field.invert_all(inverses)?;
         // The product of the pivots of S, as a rational number: `total / (1 · total₁ · total₂ …)`.
         let determinant = field.product(total, of_totals);
-        let rank = pivots.iter().filter(|pivot| **pivot).count() as u64;
+        let rank = self.rank() as u64;
         let divisor = field.product(self.divisor, of_pending);
         self.divisor = field.product(field.product(divisor, determinant), field.power(wu, rank));
         // What is multiplied by these is no form any more but a residue.
         let unit = field.residue(field.product(self.divisor, of_cofactor));
         let covariance_unit = field.product(wu, unit);
         let mean_unit = field.product(zu, unit);
-        let n = shape.states;
-        let mut parts = Vec::with_capacity(1 + shape.targets * n * (n + 3) / 2);
+        let parts = &mut self.found.parts;
+        parts.clear();
         parts.push(unit);
         for target in 0..shape.targets {
             joint.hand_out(field, target, *shape, inverse, &mut self.covariance, &mut self.mean);
             parts.extend(self.mean.iter().map(|form| field.product(*form, mean_unit)));
-            let lower = self.covariance.chunks_exact(n).enumerate().flat_map(|(i, row)| &row[..=i]);
+            let lower = self.covariance.chunks_exact(shape.states).enumerate().flat_map(|(i, row)| &row[..=i]);
             parts.extend(lower.map(|form| field.product(*form, covariance_unit)));
         }
-        Some(Found { pivots, settled, parts })
+        Some(())
+    }
+
+    /// Which of the observed entries had pivots in the last step.
+    pub(super) fn pivots(&self) -> &[bool] {
+        &self.found.pivots
+    }
+
+    /// The rank of the innovation covariance of the last step.
+    pub(super) fn rank(&self) -> usize {
+        self.found.pivots.iter().filter(|pivot| **pivot).count()
+    }
+
+    /// Whether each row without a pivot vanished in the last step, its innovation included.
+    pub(super) fn is_settled(&self) -> bool {
+        self.found.settled
+    }
+
+    /// d′, then for each target its mean and the lower triangle of its covariance: the integers of the next state,
+    /// each times the inverse of the field's cofactor.
+    pub(super) fn parts(&self) -> &[u64] {
+        &self.found.parts
     }
 }

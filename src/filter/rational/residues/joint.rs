@@ -20,9 +20,7 @@ pub(super) struct Joint {
 
 /// What the elimination of the observed entries found.
 pub(super) struct Elimination {
-    /// Which of them have pivots.
-    pub(super) pivots: Vec<bool>,
-    /// Whether the rows of the others vanish.
+    /// Whether the rows of those without a pivot vanish.
     pub(super) settled: bool,
     /// The product of all pivots as they were met.
     pub(super) total: u64,
@@ -99,9 +97,12 @@ impl Joint {
     }
 
     /// Eliminates the observed entries without a division: `a ↦ pivot · a − b c`, so that all is multiplied by each pivot.
-    pub(super) fn eliminate(&mut self, field: &PrimeField, shape: Shape) -> Elimination {
+    ///
+    /// `pivots` tells in the end which of them have pivots.
+    pub(super) fn eliminate(&mut self, field: &PrimeField, shape: Shape, pivots: &mut Vec<bool>) -> Elimination {
         let size = shape.size();
-        let mut pivots = vec![false; shape.observed];
+        pivots.clear();
+        pivots.resize(shape.observed, false);
         let (mut total, mut product_of_totals) = (field.one(), field.one());
         let mut settled = true;
         for (row, is_pivot) in pivots.iter_mut().enumerate() {
@@ -116,7 +117,7 @@ impl Joint {
                 total = field.product(total, pivot);
             }
         }
-        Elimination { pivots, settled, total, product_of_totals }
+        Elimination { settled, total, product_of_totals }
     }
 
     fn eliminate_row(&mut self, field: &PrimeField, row: usize, pivot: u64, shape: Shape) {

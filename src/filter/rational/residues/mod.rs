@@ -24,7 +24,7 @@ use super::laws::StepLaws;
 use super::state::State;
 use crate::matrix::Matrix;
 use crate::modular::{Basis, Digits, PRIME_BITS, PrimeField, Primes};
-use image::{Found, Image, Moment, Shape};
+use image::{Image, Moment, Shape};
 use joint::Joint;
 use words::{CoefficientWords, ConstantWords, StateDigits};
 
@@ -73,23 +73,25 @@ impl Residues {
         let longest = longest.chain([coefficients.longest(), constants.longest()]).max();
         let powers = longest.unwrap_or(1);
         if is_new || self.images.iter().any(|image| image.powers.len() < powers) {
-            let (images, fields) = (&mut self.images, self.basis.fields());
-            images.par_iter_mut().zip(fields).for_each(|(image, field)| image.refresh(field, &coefficients, powers));
+            let work = self.images.len() * shape.work();
+            let tasks: Vec<_> = self.images.iter_mut().zip(self.basis.fields()).collect();
+            each(tasks, work, |(), (image, field)| image.refresh(field, &coefficients, powers));
         }
-        let found = loop {
+        loop {
             self.cover(length, state, &coefficients, powers);
             let pending = Digits::from(&self.pending);
             let moment = Moment { shape, constants: &constants, scales: &data, pending: &pending };
-            match regular(self.advance_images(&moment)) {
-                Ok(found) => break found,
-                Err(irregular) => self.without(&irregular),
+            let irregular = self.advance_images(&moment);
+            if irregular.is_empty() {
+                break;
             }
-        };
-        if found.iter().any(|found| !found.settled) {
+            self.without(&irregular);
+        }
+        if self.images.iter().any(|image| !image.is_settled()) {
             return Err(Stop);
         }
-        let rank = found.first().map_or(0, |found| found.pivots.iter().filter(|pivot| **pivot).count());
-        let (divisor, mut states) = self.states(&found, shape, &scales);
+        let rank = self.images.first().map_or(0, Image::rank);
+        let (divisor, mut states) = self.states(shape, &scales);
         // The images go on with the last target's state.
         self.pending = states.last().map_or_else(BigInt::one, |state| divisor / &state.divisor);
         self.coefficients = Some((laws.generation, coefficients));
@@ -102,35 +104,42 @@ impl Residues {
         let exact = StateDigits::of(state, &self.pending);
         let longest = exact.longest().max(powers);
         let image = |field: &PrimeField| Image::of(&exact, coefficients, field, longest, powers);
+        // A prime that does not suit the state is passed over.
+        let take_in = |basis: &mut Basis, images: &mut Vec<Image>, fields: Vec<PrimeField>| {
+            let work = fields.len() * longest * exact.count();
+            let made = each(fields, work, |(), field| image(&field).map(|image| (field, image)));
+            let (fields, made): (Vec<_>, Vec<_>) = made.into_iter().flatten().unzip();
+            basis.extend(fields);
+            images.extend(made);
+        };
         if self.images.is_empty() {
-            // Images of a state are made of it anew after an irregular prime, too; a prime that does not suit is dropped.
-            let fields: Vec<PrimeField> = self.basis.fields().to_vec();
-            let images: Vec<_> = fields.par_iter().map(image).collect();
-            let suiting = fields.iter().zip(images).filter_map(|(field, image)| Some((*field, image?)));
-            let (fields, images): (Vec<_>, Vec<_>) = suiting.unzip();
-            self.basis = Basis::default();
-            self.basis.extend(fields);
-            self.images = images;
+            // After an irregular prime the images of the others have gone too far.
+            let fields = std::mem::take(&mut self.basis).fields().to_vec();
+            take_in(&mut self.basis, &mut self.images, fields);
         }
         let missing = |basis: &Basis| usize::try_from(length.saturating_sub(basis.determines()).div_ceil(PRIME_BITS));
         while let Ok(missing @ 1..) = missing(&self.basis) {
-            let fields: Vec<PrimeField> = self.primes.by_ref().take(missing).collect();
-            let images: Vec<_> = fields.par_iter().map(image).collect();
-            let suiting = fields.iter().zip(images).filter_map(|(field, image)| Some((*field, image?)));
-            let (fields, images): (Vec<_>, Vec<_>) = suiting.unzip();
-            self.basis.extend(fields);
-            self.images.extend(images);
+            let fields = self.primes.by_ref().take(missing).collect();
+            take_in(&mut self.basis, &mut self.images, fields);
         }
     }
 
-    fn advance_images(&mut self, moment: &Moment<'_>) -> Vec<Option<Found>> {
+    /// Makes the step modulo each prime; the places of those which do not suit it, or have found fewer pivots than others.
+    ///
+    /// A pivot that is zero modulo one prime and not modulo another is not zero; one that is zero modulo all is zero, for their
+    /// product exceeds it. So the true pattern of pivots is the largest in the order of words.
+    fn advance_images(&mut self, moment: &Moment<'_>) -> Vec<usize> {
         let (fields, cofactors) = (self.basis.fields(), self.basis.cofactors());
-        let shortest = PARALLEL.div_ceil(moment.shape.work());
-        (self.images.par_iter_mut().zip(fields).zip(cofactors).with_min_len(shortest))
-            .map_init(Joint::default, |joint, ((image, field), cofactor)| {
-                image.advance(field, *cofactor, moment, joint)
-            })
-            .collect()
+        let work = self.images.len() * moment.shape.work();
+        let tasks: Vec<_> = self.images.iter_mut().zip(fields).zip(cofactors).collect();
+        let suits = each(tasks, work, |joint: &mut Joint, ((image, field), cofactor)| {
+            image.advance(field, *cofactor, moment, joint).is_some()
+        });
+        let suiting = || self.images.iter().zip(&suits).filter(|(_, suits)| **suits).map(|(image, _)| image);
+        let pattern = suiting().map(Image::pivots).max();
+        let is_regular = |(image, suits): (&Image, &bool)| *suits && Some(image.pivots()) == pattern;
+        let regular = self.images.iter().zip(&suits).map(is_regular);
+        regular.enumerate().filter(|(_, regular)| !regular).map(|(at, _)| at).collect()
     }
 
     /// Drops the primes at these places, and all images: they have made a step that is not taken.
@@ -143,15 +152,15 @@ impl Residues {
     }
 
     /// d′, and the states of the targets.
-    fn states(&self, found: &[Found], shape: Shape, scales: &[BigInt; 2]) -> (BigInt, Vec<State>) {
-        let values = found.first().map_or(0, |found| found.parts.len());
+    fn states(&self, shape: Shape, scales: &[BigInt; 2]) -> (BigInt, Vec<State>) {
+        let values = self.images.first().map_or(0, |image| image.parts().len());
         let determined = self.basis.determined();
-        let shortest = PARALLEL.div_ceil((found.len() * found.len()).max(1));
-        let integers: Vec<BigInt> = (0..values)
-            .into_par_iter()
-            .with_min_len(shortest)
-            .map(|value| determined.integer(&found.iter().map(|found| found.parts[value]).collect::<Vec<_>>()))
-            .collect();
+        let work = values * self.images.len() * self.images.len();
+        let integers = each((0..values).collect(), work, |parts: &mut Vec<u64>, value| {
+            parts.clear();
+            parts.extend(self.images.iter().map(|image| image.parts()[value]));
+            determined.integer(parts)
+        });
         let mut integers = integers.into_iter();
         let divisor = integers.next().unwrap_or_else(BigInt::one);
         let n = shape.states;
@@ -173,16 +182,17 @@ impl Residues {
     }
 }
 
-/// The results of all primes, or the places of those which have found fewer pivots than others.
-///
-/// A pivot that is zero modulo one prime and not modulo another is not zero; one that is zero modulo all is zero, for their
-/// product exceeds it. So the true pattern of pivots is the largest in the order of words.
-fn regular(found: Vec<Option<Found>>) -> Result<Vec<Found>, Vec<usize>> {
-    let pattern = found.iter().flatten().map(|found| &found.pivots).max();
-    let is_regular = |found: &Option<Found>| found.as_ref().map(|found| &found.pivots) == pattern;
-    let irregular: Vec<usize> =
-        found.iter().enumerate().filter(|(_, found)| !is_regular(found)).map(|(at, _)| at).collect();
-    if irregular.is_empty() { Ok(found.into_iter().flatten().collect()) } else { Err(irregular) }
+/// The results of tasks that are `work` products of words together, in their order; on all cores where that pays.
+fn each<T: Send, W: Default, R: Send>(
+    tasks: Vec<T>,
+    work: usize,
+    task: impl Fn(&mut W, T) -> R + Sync + Send,
+) -> Vec<R> {
+    if work < PARALLEL || rayon::current_num_threads() == 1 {
+        let mut memory = W::default();
+        return tasks.into_iter().map(|each| task(&mut memory, each)).collect();
+    }
+    tasks.into_par_iter().map_init(W::default, task).collect()
 }
 
 /// w u and z uₓ: by these times d′ the next covariances and means become integers.

@@ -148,4 +148,9 @@ impl StateDigits {
         let integers = integers.chain([&self.scale, &self.mean_scale, &self.divisor, &self.pending]);
         integers.map(Digits::len).max().unwrap_or(0)
     }
+
+    /// The number of its integers.
+    pub(super) fn count(&self) -> usize {
+        self.lower.len() + self.mean_numerators.len() + 4
+    }
 }
