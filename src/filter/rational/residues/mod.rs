@@ -29,7 +29,7 @@ use joint::Joint;
 use words::{CoefficientWords, ConstantWords, StateDigits};
 
 /// Work, in products of words, below which a second core is not worth its call.
-const PARALLEL: usize = 1 << 16;
+const PARALLEL: usize = 1 << 17;
 
 /// States of the filter modulo primes, which follow an exact one.
 #[derive(Debug)]
