@@ -3,12 +3,17 @@
 /// How the states of a path are computed; all routes give the same values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Route {
-    /// The route that is expected to be the fastest, step by step.
+    /// The route that is expected to be the fastest, step by step: remainders where several states or sensors are to be
+    /// worked through and numbers have some hundred bits, elimination on integers elsewhere.
     #[default]
     Fastest,
     /// Elimination on integers over one denominator.
     FractionFree,
-    /// The same elimination modulo many primes, and the integers from their remainders.
+    /// The same elimination modulo many primes below 2⁶², on all cores, and the integers from their remainders.
+    ///
+    /// So many primes are taken that they determine the integers, by a bound that holds where covariances are positive
+    /// semidefinite. Those of a path that [`System::realised`](crate::model::System::realised) has made are; other paths go
+    /// through the elimination on integers.
     Multimodular,
 }
 

@@ -11,6 +11,9 @@
 //! terms of J keep that. The mean is one more column. What d has of the primes of u, which are
 //! those of the data's denominators, is moved from d to u and cancelled: no number grows faster than lowest terms do.
 //!
+//! Where states or sensors are several, the same elimination is done modulo many primes, and the integers follow from
+//! their remainders: see [`Route::Multimodular`].
+//!
 //! A zero pivot of a positive semidefinite J has a zero row: it is passed over, and the innovation must vanish
 //! there, else the data have probability zero.
 
@@ -41,6 +44,12 @@ use crate::matrix::{Fractions, Matrix};
 use crate::model::{Path, Step, Timing};
 use crate::scalar::Rational;
 use crate::trace::{Moments, Quantity, Record};
+
+/// Denominators with fewer bits than this are not worth a set of primes.
+const SHORTEST: u64 = 512;
+
+/// From this length in bits on, the primes are so many that what takes their number squared is felt.
+const LONGEST: u64 = 1 << 19;
 
 /// The values of [`filter`](super::filter()) except the gain, by faster routes.
 ///
@@ -160,11 +169,15 @@ impl<'a> RationalFilter<'a> {
     }
 
     /// Whether a step is made modulo primes.
+    ///
+    /// Elimination works through each entry once for each pivot, remainders put each together once: with one or two
+    /// states and one sensor that is the same, with more of them it is not.
     fn is_modular(&self, state: &State, step: &Step<Rational>) -> bool {
+        let size = step.observation.columns() + step.observation.rows();
         // The lengths of integers are known beforehand where covariances are semidefinite.
         self.path.is_semidefinite()
             && match self.effort.route {
-                Route::Fastest => state.bits() > 512 && step.observation.columns() > 1,
+                Route::Fastest => size > 3 && (SHORTEST..LONGEST).contains(&state.bits()),
                 Route::FractionFree => false,
                 Route::Multimodular => true,
             }
