@@ -1,5 +1,8 @@
 //! Integers from their remainders: the Chinese remainder theorem.
 
+use std::borrow::Cow;
+use std::ops::Range;
+
 use num_bigint::{BigInt, BigUint};
 use num_traits::Zero;
 
@@ -60,7 +63,7 @@ impl Basis {
 
     /// What is needed to put integers together.
     pub fn determined(&self) -> Determined<'_> {
-        let modulus = self.modulus(0..self.groups.len());
+        let modulus = self.modulus(0..self.groups.len()).into_owned();
         Determined { basis: self, spine: self.spine(), half: &modulus >> 1u8, modulus }
     }
 
@@ -69,25 +72,26 @@ impl Basis {
         let mut rest = 0..self.groups.len();
         while rest.len() > 1 {
             rest.start += left_half(rest.len());
-            spine.push(self.modulus(rest.clone()));
+            spine.push(self.modulus(rest.clone()).into_owned());
         }
         spine
     }
 
-    /// The product of the primes of neighbouring groups that are a node of the tree, or a suffix.
-    fn modulus(&self, groups: std::ops::Range<usize>) -> BigUint {
-        match groups.len() {
-            0 => BigUint::from(1u8),
-            1 => self.groups[groups.start].modulus.clone(),
-            length => self.product(&groups).cloned().unwrap_or_else(|| {
+    /// The product of the primes of neighbouring groups.
+    fn modulus(&self, groups: Range<usize>) -> Cow<'_, BigUint> {
+        match (groups.len(), self.product(&groups)) {
+            (0, _) => Cow::Owned(BigUint::from(1u8)),
+            (1, _) => Cow::Borrowed(&self.groups[groups.start].modulus),
+            (_, Some(product)) => Cow::Borrowed(product),
+            (length, None) => {
                 let middle = groups.start + left_half(length);
-                self.modulus(groups.start..middle) * self.modulus(middle..groups.end)
-            }),
+                Cow::Owned(&*self.modulus(groups.start..middle) * &*self.modulus(middle..groups.end))
+            }
         }
     }
 
     /// The stored product of a full node of the tree.
-    fn product(&self, groups: &std::ops::Range<usize>) -> Option<&BigUint> {
+    fn product(&self, groups: &Range<usize>) -> Option<&BigUint> {
         let length = groups.len();
         if !length.is_power_of_two() || length < 2 {
             return None;
@@ -100,7 +104,8 @@ impl Basis {
         let count = self.groups.len();
         let mut length = 2;
         while count.is_multiple_of(length) {
-            let product = self.modulus(count - length..count - length / 2) * self.modulus(count - length / 2..count);
+            let middle = count - length / 2;
+            let product = &*self.modulus(count - length..middle) * &*self.modulus(middle..count);
             let level = length.ilog2() as usize - 1;
             if self.products.len() == level {
                 self.products.push(Vec::new());
@@ -234,19 +239,20 @@ impl Determined<'_> {
     }
 
     /// The sum over neighbouring groups, modulo nothing: at most the number of primes times their product.
-    fn sum(&self, parts: &[u64], groups: std::ops::Range<usize>, depth: Option<usize>) -> BigUint {
+    fn sum(&self, parts: &[u64], groups: Range<usize>, depth: Option<usize>) -> BigUint {
         if groups.len() == 1 {
             let last = parts.len().min(groups.end * GROUP);
             return self.basis.groups[groups.start].sum(&parts[groups.start * GROUP..last]);
         }
         let middle = groups.start + left_half(groups.len());
         let (left, right) = (groups.start..middle, middle..groups.end);
-        let stored = |range: &std::ops::Range<usize>| match range.len() {
-            1 => &self.basis.groups[range.start].modulus,
-            _ => self.basis.product(range).unwrap_or(&self.modulus),
+        // Off the right edge all nodes are full, and their products stored.
+        let right_modulus = match depth {
+            Some(depth) => Cow::Borrowed(&self.spine[depth]),
+            None => self.basis.modulus(right.clone()),
         };
-        let right_modulus = depth.map_or_else(|| stored(&right), |depth| &self.spine[depth]);
-        self.sum(parts, left.clone(), None) * right_modulus
-            + self.sum(parts, right, depth.map(|depth| depth + 1)) * stored(&left)
+        let left_modulus = self.basis.modulus(left.clone());
+        self.sum(parts, left, None) * &*right_modulus
+            + self.sum(parts, right, depth.map(|depth| depth + 1)) * &*left_modulus
     }
 }

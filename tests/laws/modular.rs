@@ -114,3 +114,24 @@ fn primes_descend_from_two_to_the_62() {
     let expected: Vec<u64> = (primes[199]..1 << 62).rev().filter(|n| is_prime(*n)).collect();
     assert_eq!(primes, expected);
 }
+
+/// Trees of one to eight groups, full ones and others, that grow.
+#[test]
+fn integers_of_any_length_follow() {
+    let mut primes = Primes::default();
+    let mut basis = Basis::default();
+    for count in [1, 127, 128, 129, 255, 257, 384, 390, 512, 513, 640, 700, 896, 1000] {
+        basis.extend(primes.by_ref().take(count - basis.fields().len()));
+        // The largest that is determined, of both signs.
+        let largest = (BigInt::from(1) << basis.determines()) - 1;
+        let powers = PrimeField::powers_of_a_word;
+        for value in [-&largest, largest] {
+            let digits = Digits::from(&value);
+            let parts = basis.fields().iter().zip(basis.cofactors()).map(|(field, cofactor)| {
+                let image = digits.form(field, &powers(field, digits.len()));
+                field.residue(field.product(image, field.inverse(*cofactor).expect("distinct primes")))
+            });
+            assert!(basis.determined().integer(&parts.collect::<Vec<_>>()) == value, "{count} primes");
+        }
+    }
+}

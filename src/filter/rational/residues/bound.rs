@@ -68,9 +68,10 @@ impl Magnitudes {
         }
     }
 
-    /// The image under an affine map with independent noise.
+    /// The image under an affine map with noise. Where the noise is correlated with the state, twice that covariance is
+    /// in the noise's, of either sign: its magnitude is added.
     ///
-    /// `(∑ m_a √P_aa)² ≤ 2^(2c) max m_a² P_aa` for at most 2^c summands.
+    /// `m P mᵀ ≤ (∑ |m_a| √P_aa)² ≤ 2^(2c) max m_a² P_aa` for at most 2^c summands.
     fn image(&self, law: &Law) -> Self {
         let Law { map, noise, constant, .. } = law;
         let entry = |i: usize, a: usize| quotient(&map.numerators[(i, a)], &map.denominator);
