@@ -1,7 +1,7 @@
-//! What is too much for the judge, so that no case takes more than about a minute.
+//! What is too much for the judge, so that no case takes much more than a minute.
 //!
 //! Three things make exact work long: numbers so long that one step takes long, many steps with long numbers, and many
-//! steps at all. Each has one limit. All were chosen by measurement, on two cores of the year 2020.
+//! steps at all. Each has one limit. All were chosen by measurement, on two cores; on one, all takes up to twice as long.
 
 use num_integer::Roots;
 
@@ -27,7 +27,7 @@ const MAXIMAL_WORK: u64 = 1 << 40;
 /// The most operations on entries, taken as steps times the third power of states plus sensors, that are begun at all.
 ///
 /// It is the perturbed problems that this bounds: with full doubles twenty of them take 90 to 160 µs for each operation,
-/// so 25 to 40 s at this limit.
+/// so 25 to 40 s at this limit; at worst, where the transition departs and n = 8, m = 4, twice as long.
 const MAXIMAL_OPERATIONS: u64 = 1 << 18;
 
 /// The length in bits that exact denominators may reach along a path.
