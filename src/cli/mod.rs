@@ -12,6 +12,7 @@ mod input;
 mod interrupt;
 mod judge;
 mod length;
+mod notation;
 mod numbers;
 mod parallel;
 mod price;

@@ -22,13 +22,6 @@ impl Numbers {
     pub(super) fn text(self, value: &Rational) -> String {
         if self.exact { value.to_string() } else { Decimal::rounded(value, self.digits).to_string() }
     }
-}
-
-impl Numbers {
-    /// The decimal for an integer over a positive one; nothing is brought to lowest terms for it.
-    pub(super) fn decimal(self, numerator: &BigInt, denominator: &BigInt) -> Decimal {
-        Decimal::rounded(&Rational::new_raw(numerator.clone(), denominator.clone()), self.digits)
-    }
 
     /// A text for a bound from above: where it is rounded, it stands for no less.
     pub(super) fn above(self, value: &Rational) -> String {

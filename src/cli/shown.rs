@@ -1,7 +1,6 @@
 //! What `solve` shows of a step: its values, by name.
 
-use num_bigint::BigInt;
-
+use super::notation::Notation;
 use super::steps::Step;
 use crate::filter::{RationalStep, StepAhead};
 use crate::matrix::{Fractions, Matrix};
@@ -15,15 +14,20 @@ pub(super) struct Shown<T> {
     pub(super) ahead: Vec<Moments<T>>,
 }
 
-impl<T: Clone> Shown<T> {
-    /// What is shown of a step; `number` makes what is printed of an integer over a positive one.
+impl<T> Shown<T> {
+    /// What is shown of a step.
     ///
     /// Of the predictor that are the named quantities of its record (`everything`), or those that are shown without being
     /// asked for.
-    pub(super) fn of(step: &Step, everything: bool, number: impl Fn(&BigInt, &BigInt) -> T) -> Self {
+    pub(super) fn of(step: &Step, everything: bool, notation: &impl Notation<Number = T>) -> Self {
         match step {
-            Step::Fast(step) => Self { values: values(step, number), more: Vec::new(), ahead: Vec::new() },
-            Step::Readable(record) => named(record).map(number),
+            Step::Fast(RationalStep { values, .. }) => {
+                let written = |(&quantity, fractions): (&Quantity, &Fractions)| {
+                    (quantity, notation.matrix(fractions, quantity.is_covariance()))
+                };
+                Self { values: values.iter().map(written).collect(), more: Vec::new(), ahead: Vec::new() }
+            }
+            Step::Readable(record) => named(record).written(notation),
             Step::Ahead(step) => {
                 let StepAhead { record, ahead } = &**step;
                 let mut shown = named(record);
@@ -31,30 +35,15 @@ impl<T: Clone> Shown<T> {
                     shown.values.remove(&Quantity::Gain);
                     shown.more.clear();
                 }
-                Shown { ahead: ahead.clone(), ..shown }.map(number)
+                Shown { ahead: ahead.clone(), ..shown }.written(notation)
             }
         }
     }
 }
 
-/// The values of a step of the fast route, each pair of a symmetric matrix made once.
-fn values<T: Clone>(step: &RationalStep, number: impl Fn(&BigInt, &BigInt) -> T) -> Values<T> {
-    let printed = |(&quantity, fractions): (&Quantity, &Fractions)| {
-        let Fractions { numerators, denominator } = fractions;
-        let entry = |i: usize, j: usize| number(&numerators[(i, j)], denominator);
-        if !quantity.is_covariance() {
-            return (quantity, numerators.map(|numerator| number(numerator, denominator)));
-        }
-        let lower: Vec<Vec<T>> = (0..numerators.rows()).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
-        let n = numerators.rows();
-        (quantity, Matrix::from_fn(n, n, |i, j| lower[i.max(j)][i.min(j)].clone()))
-    };
-    step.values.iter().map(printed).collect()
-}
-
 impl Shown<Rational> {
-    fn map<T>(&self, number: impl Fn(&BigInt, &BigInt) -> T) -> Shown<T> {
-        let matrix = |matrix: &Matrix<Rational>| matrix.map(|entry| number(entry.numer(), entry.denom()));
+    fn written<N: Notation>(&self, notation: &N) -> Shown<N::Number> {
+        let matrix = |matrix: &Matrix<Rational>| matrix.map(|entry| notation.fraction(entry));
         let moments = |law: &Moments<Rational>| Moments {
             mean: matrix(&law.mean),
             covariance: matrix(&law.covariance),

@@ -5,18 +5,17 @@ use std::io::{BufWriter, Write};
 use std::num::NonZero;
 use std::path::PathBuf;
 
-use num_bigint::BigInt;
-
 use super::Format;
 use super::exit::{Exit, Trouble};
 use super::length::MaximalBits;
+use super::notation::{Decimals, LowestTerms, Notation};
 use super::numbers::{Numbers, laid_out};
 use super::shown::{Shown, named_ahead};
 use super::steps::{Source, Stop};
 use super::{input, interrupt, progress};
 use crate::filter::StopReason;
-use crate::protocol::{Answer, AnswerNumber, AnswerStream, Case, CaseError, LawAhead, Outcome};
-use crate::scalar::{Precision, Rational};
+use crate::protocol::{Answer, AnswerStream, Case, CaseError, LawAhead, Outcome};
+use crate::scalar::Rational;
 use crate::trace::Moments;
 
 const EXAMPLES: &str = "\
@@ -91,11 +90,11 @@ impl Solve {
                             case.id
                         );
                     }
-                    let numbers = self.numbers;
-                    exit = exit.or(if numbers.exact {
-                        self.answer(&mut out, &case.id, source, |n, d| Precision::Exact.quotient(n, d))?
+                    let Numbers { digits, exact } = self.numbers;
+                    exit = exit.or(if exact {
+                        self.answer(&mut out, &case.id, source, &LowestTerms)?
                     } else {
-                        self.answer(&mut out, &case.id, source, |n, d| numbers.decimal(n, d))?
+                        self.answer(&mut out, &case.id, source, &Decimals { digits })?
                     });
                 }
                 // One bad case does not hide the others.
@@ -130,12 +129,12 @@ impl Solve {
     }
 
     /// Prints the steps of a case as they become known.
-    fn answer<T: AnswerNumber + Clone + Display>(
+    fn answer<N: Notation>(
         &self,
         out: &mut impl Write,
         id: &str,
         source: Source,
-        number: impl Fn(&BigInt, &BigInt) -> T,
+        notation: &N,
     ) -> Result<Exit, Trouble> {
         let path = source.path();
         let all = path.steps().len();
@@ -143,7 +142,7 @@ impl Solve {
         let mut steps = source.steps(limit);
         let mut progress = progress::Steps::of(id, all);
         let mut page = match self.format {
-            Format::Json => Page::Json(AnswerStream::begin::<T>(out, id)?),
+            Format::Json => Page::Json(AnswerStream::begin::<N::Number>(out, id)?),
             Format::Text => Page::Text(out),
         };
         let (mut last, mut known) = (None, 0);
@@ -155,13 +154,13 @@ impl Solve {
             progress.step(bits);
             match &mut page {
                 Page::Json(stream) => {
-                    let Shown { values, ahead, .. } = Shown::of(&step, self.trace, &number);
+                    let Shown { values, ahead, .. } = Shown::of(&step, self.trace, notation);
                     let laws: Vec<_> = ahead.into_iter().map(law).collect();
                     progress.aside(|| stream.step(&values, &laws))?;
                 }
                 Page::Text(_) if self.last => last = Some(step),
                 Page::Text(out) => {
-                    let text = self.text(id, known, &Shown::of(&step, self.trace, &number));
+                    let text = self.text(id, known, &Shown::of(&step, self.trace, notation));
                     progress.aside(|| out.write_all(text.as_bytes()).and_then(|()| out.flush()))?;
                 }
             }
@@ -179,7 +178,7 @@ impl Solve {
             },
             Page::Text(out) => {
                 if let Some(step) = last {
-                    out.write_all(self.text(id, known - 1, &Shown::of(&step, self.trace, &number)).as_bytes())?;
+                    out.write_all(self.text(id, known - 1, &Shown::of(&step, self.trace, notation)).as_bytes())?;
                 }
                 out.flush()?;
             }

@@ -53,8 +53,8 @@ impl Reference {
     ///
     /// # Errors
     ///
-    /// [`RationalFilterError`] if the exact numbers grow too long (2¹⁷ bits for one state and one sensor, less for more): the
-    /// truth is then unknown here.
+    /// [`RationalFilterError`] if the exact numbers grow too long for an answer within about a minute: the truth is then
+    /// unknown here.
     pub fn of(path: &Path<Rational>) -> Result<Self, RationalFilterError> {
         let (mut steps, mut contradiction) = (Vec::new(), None);
         for step in RationalFilter::new(path, effort(path)) {
