@@ -5,6 +5,7 @@
 mod determinant;
 mod harness;
 mod matrices;
+mod prime_field;
 mod pseudo_inverse;
 mod residue;
 mod update;

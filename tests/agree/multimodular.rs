@@ -117,3 +117,47 @@ fn primes_that_do_not_suit_the_data_are_passed_over() -> Outcome {
     }
     Ok(())
 }
+
+/// An innovation that must vanish and is a multiple of the first prime.
+#[test]
+fn contradictions_that_a_prime_does_not_see_are_found() -> Outcome {
+    for reading in [prime(0), prime(1), prime(0) * prime(1)] {
+        let path = awkward(&[ratio(0, 1), ratio(1, 1)], &[ratio(1, 1), ratio(1, 1)], &[reading, ratio(1, 1)])?;
+        assert!(filter(&path).is_err_and(|error| error.step == 0));
+        let effort = Effort { route: Route::Multimodular, ..Effort::default() };
+        assert!(filter_rational(&path, effort).is_err_and(|error| error.step == 0));
+    }
+    Ok(())
+}
+
+/// Steps that differ in the noise that both equations share, and in nothing else.
+#[test]
+fn noise_is_shared_as_each_step_says() -> Outcome {
+    for timing in [Timing::Arriving, Timing::Departing] {
+        let one = Matrix::<Rational>::identity(1);
+        let shared = (0..8).map(|k| Matrix::column(vec![ratio(k % 3, 4)]));
+        let system = System {
+            timing,
+            initial: Initial::new(Before::Observation, Matrix::zeros(1, 1), one.clone()),
+            transition: one.clone().into(),
+            observation: one.clone().into(),
+            noise: Noise::Covariances {
+                process: one.clone().into(),
+                cross: Some(Coefficient::per_step(shared)),
+                observation: one.into(),
+            },
+            input: None,
+            observation_input: None,
+        };
+        let readings: Vec<_> = (0..8).map(|k| Observation::complete([ratio(k * k, 3)])).collect();
+        let path = system.realised(&readings)?;
+        let trace = filter(&path)?;
+        for route in [Route::Multimodular, Route::FractionFree] {
+            for (step, record) in by(&path, route)?.iter().zip(&trace.records) {
+                assert_eq!(step.exactly(Quantity::FilteredMean).as_ref(), Some(&record.filtered.mean));
+                assert_eq!(step.exactly(Quantity::FilteredCovariance).as_ref(), Some(&record.filtered.covariance));
+            }
+        }
+    }
+    Ok(())
+}

@@ -28,6 +28,17 @@ fn residue(value: &BigInt, field: &PrimeField) -> u64 {
     u64::try_from(value.mod_floor(&field.modulus().into())).expect("a remainder below the prime")
 }
 
+/// The product M of the primes, and `x (M/p)⁻¹ mod p` for each of them, by division.
+fn parts_by_division(basis: &Basis, value: &BigInt) -> (BigInt, Vec<u64>) {
+    let product: BigInt = basis.fields().iter().map(|field| BigInt::from(field.modulus())).product();
+    let part = |field: &PrimeField| {
+        let inverse = (&product / field.modulus()).modinv(&field.modulus().into()).expect("distinct primes");
+        residue(&(inverse * value), field)
+    };
+    let parts = basis.fields().iter().map(part).collect();
+    (product, parts)
+}
+
 /// Extreme words are likelier than in a uniform draw.
 fn word() -> impl Strategy<Value = u64> {
     prop_oneof![any::<u64>(), Just(0), Just(1), Just(u64::MAX), Just((1 << 62) - 58), Just(1 << 63)]
@@ -86,16 +97,25 @@ proptest! {
         let missing = value.bits().saturating_sub(basis.determines()).div_ceil(PRIME_BITS);
         basis.extend(primes.take(usize::try_from(missing)? + spare));
         prop_assert!(basis.determines() >= value.bits());
-        let product: BigInt = basis.fields().iter().map(|field| BigInt::from(field.modulus())).product();
-        let parts: Vec<u64> = basis.fields().iter().map(|field| {
-            let cofactor = &product / field.modulus();
-            let inverse = cofactor.modinv(&field.modulus().into()).expect("distinct primes");
-            residue(&(inverse * &value), field)
-        }).collect();
+        let (product, parts) = parts_by_division(&basis, &value);
         for (field, cofactor) in basis.fields().iter().zip(basis.cofactors()) {
             prop_assert_eq!(field.residue(*cofactor), residue(&(&product / field.modulus()), field));
         }
         prop_assert_eq!(basis.determined().integer(&parts), value);
+    }
+}
+
+/// The longest integers that so many primes determine, where groups of primes begin and end.
+#[test]
+fn the_longest_integers_follow_from_their_remainders() {
+    for count in [1, 2, 3, 5, 127, 128, 129, 256, 257, 385] {
+        let mut basis = Basis::default();
+        basis.extend(Primes::default().take(count));
+        let longest: BigInt = (BigInt::from(1) << basis.determines()) - 1;
+        for value in [longest.clone(), -&longest, BigInt::from(-1), BigInt::from(0), -(&longest >> 70u8)] {
+            let (_, parts) = parts_by_division(&basis, &value);
+            assert!(basis.determined().integer(&parts) == value, "{count} primes");
+        }
     }
 }
 

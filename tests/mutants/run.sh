@@ -27,7 +27,7 @@ mkdir "$tree"
 tests() (
     cd "$tree"
     # shellcheck disable=SC2086 # the words of the line are the arguments
-    cargo test --quiet $1 --no-run >"$work/log" 2>&1 || return 2
+    cargo test --quiet --no-run $1 >"$work/log" 2>&1 || return 2
     # shellcheck disable=SC2086
     timeout 600 cargo test --quiet $1 >"$work/log" 2>&1 || return 1
 )

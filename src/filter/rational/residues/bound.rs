@@ -118,3 +118,180 @@ pub(super) fn length(state: &State, laws: StepLaws<'_>, [scale, mean_scale]: &[B
     let longest = columns.chain(covariance).max().unwrap_or(0).max(divisor_after);
     u64::try_from(longest).unwrap_or(0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fraction_free;
+    use super::super::super::laws::Laws;
+    use super::super::scales;
+    use super::*;
+    use crate::filter::Wanted;
+    use crate::matrix::Matrix;
+    use crate::model::{Before, Initial, Noise, Observation, Path, System, Timing};
+    use crate::scalar::{Precision, Rational, ratio};
+    use crate::trace::Moments;
+
+    /// A linear congruence.
+    struct Draw {
+        state: u64,
+        /// Whether sizes differ much.
+        is_wild: bool,
+    }
+
+    impl Draw {
+        fn below(&mut self, bound: u64) -> u64 {
+            self.state = self.state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.state >> 33) % bound
+        }
+
+        fn of<T: Copy>(&mut self, from: &[T]) -> T {
+            from[usize::try_from(self.below(from.len() as u64)).expect("a place")]
+        }
+
+        fn exponent(&mut self, from: &[i32]) -> i32 {
+            let drawn = self.of(from);
+            if self.is_wild { drawn } else { 0 }
+        }
+
+        fn up_to(&mut self, last: u64) -> usize {
+            usize::try_from(self.below(last + 1)).expect("a small number")
+        }
+
+        /// Small fractions and zeros times a power of two, some of them times a further one.
+        fn matrix(&mut self, rows: usize, columns: usize, exponent: i32) -> Matrix<Rational> {
+            let further = self.exponent(&[0, 0, 200, -200]);
+            Matrix::from_fn(rows, columns, |_, _| {
+                let exponent = exponent + self.exponent(&[0, 0, 1, further]);
+                let numerator = self.of(&[0, 0, 1, 1, -1, 2, 7, -12]);
+                ratio(numerator, self.of(&[1, 1, 2, 3])) * ratio(2, 1).pow(exponent)
+            })
+        }
+
+        /// A path of four steps; half of them with a sensor that repeats the first one.
+        fn path(&mut self, timing: Timing) -> Path<Rational> {
+            let (n, sensors) = (1 + self.up_to(2), 1 + self.up_to(2));
+            let repeats = sensors > 1 && self.below(2) == 0;
+            let repeated = |matrix: Matrix<Rational>| {
+                if repeats {
+                    matrix.block(0..sensors - 1, 0..matrix.columns()).above(&matrix.select_rows(&[0]))
+                } else {
+                    matrix
+                }
+            };
+            let before = self.of(&[Before::Observation, Before::Transition]);
+            let before = if timing == Timing::Departing { Before::Observation } else { before };
+            let mean = self.exponent(&[0, 300, -300]);
+            let scale = self.exponent(&[0, 60, -150]);
+            let factor = self.matrix(n, n, scale);
+            let reading = self.exponent(&[0, 0, 300, -300]);
+            let (process, noise) = (self.exponent(&[0, 200, -200]), self.exponent(&[0, 200, -200]));
+            let system = System {
+                timing,
+                initial: Initial::new(before, self.matrix(n, 1, mean), factor.congruence(&Matrix::identity(n))),
+                transition: self.matrix(n, n, 0).into(),
+                observation: repeated(self.matrix(sensors, n, 0)).into(),
+                noise: Noise::Factors {
+                    process: self.matrix(n, 2, process).into(),
+                    observation: repeated(self.matrix(sensors, 2, noise)).into(),
+                },
+                input: None,
+                observation_input: None,
+            };
+            let readings: Vec<_> = (0..4)
+                .map(|_| {
+                    // One time in eight the sensor that repeats contradicts.
+                    let all = self.matrix(sensors, 1, reading);
+                    let all = if self.below(8) > 0 { repeated(all) } else { all };
+                    Observation::new(all.entries().iter().map(|y| (self.below(8) > 0).then(|| y.clone())).collect())
+                })
+                .collect();
+            system.realised(&readings).expect("shapes that fit")
+        }
+    }
+
+    /// `M P Mᵀ + Q` and `M x − c`
+    fn image(law: &Law, [x, p]: &[Matrix<Rational>; 2]) -> [Matrix<Rational>; 2] {
+        let [map, noise, constant] = [&law.map, &law.noise, &law.constant].map(|all| all.entrywise(Precision::Exact));
+        [&map * x - constant, map.congruence(p) + noise]
+    }
+
+    /// The integers that the primes must tell apart, by elimination on fractions: pivots, innovations beside them, and the
+    /// next state. Whether a pivot is zero, and whether data contradict each other.
+    fn integers(state: &State, laws: StepLaws<'_>, scales: &[BigInt; 2]) -> (Vec<Rational>, bool, bool) {
+        let law = laws.observation;
+        let [scale, mean_scale] = scales.each_ref().map(|scale| Rational::from(scale.clone()));
+        let before = state.fractions().map(|all| all.entrywise(Precision::Exact));
+        let predicted = laws.transition.map_or_else(|| before.clone(), |transition| image(transition, &before));
+        let [mut x, mut p] = image(law, &predicted);
+        let mut divisor = Rational::from(state.divisor.clone());
+        let mut found = Vec::new();
+        let mut singular = false;
+        for row in 0..law.observed {
+            found.extend((row..law.observed).map(|i| &divisor * &mean_scale * &x[(i, 0)]));
+            let pivot = p[(row, row)].clone();
+            found.push(&divisor * &scale * &pivot);
+            if pivot.is_zero() {
+                singular = true;
+                if !x[(row, 0)].is_zero() {
+                    return (found, singular, true);
+                }
+                continue;
+            }
+            let column = p.select_columns(&[row]).scaled(&pivot.recip());
+            divisor = &divisor * &scale * &pivot;
+            x = &x - column.scaled(&x[(row, 0)]);
+            p = &p - &column * p.select_rows(&[row]);
+        }
+        for target in 0..law.targets {
+            let rows = law.target(target);
+            found.extend(rows.clone().map(|i| &divisor * &mean_scale * &x[(i, 0)]));
+            found.extend(
+                rows.clone().flat_map(|i| rows.clone().map(move |j| (i, j))).map(|place| &divisor * &scale * &p[place]),
+            );
+        }
+        found.push(divisor);
+        (found, singular, false)
+    }
+
+    /// Lengths of the very integers, in states and noises of the most different sizes and of similar ones, where the bound is
+    /// near.
+    #[test]
+    fn no_integer_is_longer_than_its_bound() {
+        let mut draw = Draw { state: 1, is_wild: true };
+        let (mut steps, mut singular, mut contradictions, mut nearest) = (0, 0, 0, u64::MAX);
+        for timing in [Timing::Arriving, Timing::Departing].repeat(200) {
+            draw.is_wild = draw.below(4) == 0;
+            let path = draw.path(timing);
+            let Initial { before, mean, covariance, .. } = path.initial().clone();
+            let mut state = State::of(&Moments { mean, covariance, diffuse: None });
+            let mut is_predicted = before == Before::Observation;
+            let mut laws = Laws::default();
+            for step in path.steps() {
+                let transition = step.transition.as_ref().filter(|_| !is_predicted);
+                is_predicted = timing == Timing::Departing;
+                let laws = laws.of(step, transition, timing);
+                let scales = scales(&state, laws);
+                let length = length(&state, laws, &scales);
+                let (integers, is_singular, contradicts) = integers(&state, laws, &scales);
+                assert!(integers.iter().all(Rational::is_integer));
+                let longest = integers.iter().map(|integer| integer.numer().bits()).max().unwrap_or(0);
+                assert!(longest <= length, "{longest} bits instead of {length} in {path:?}");
+                nearest = nearest.min(length - longest);
+                steps += 1;
+                singular += u32::from(is_singular);
+                contradictions += u32::from(contradicts);
+                let next = match (contradicts, fraction_free(&state, laws, timing, Wanted::Filtered)) {
+                    (false, Ok((_, next))) => next,
+                    (true, Err(_)) => None,
+                    _ => panic!("the elimination on integers differs"),
+                };
+                let Some(next) = next else { break };
+                state = next;
+            }
+        }
+        assert!(
+            steps > 1000 && singular > 200 && contradictions > 40 && nearest <= 2,
+            "{steps}, {singular}, {contradictions}, {nearest}"
+        );
+    }
+}
