@@ -9,7 +9,7 @@ use exact_kalman::judge::{Truth, suite};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, Path, System, Timing};
 use exact_kalman::protocol::Decimal;
-use exact_kalman::scalar::{Precision, Rational, exact_value, ratio};
+use exact_kalman::scalar::{Precision, Quotient, Rational, exact_value, ratio};
 use num_bigint::BigInt;
 use rand_core::Rng;
 use rand_pcg::Pcg64Mcg;
@@ -94,7 +94,7 @@ fn quotients(criterion: &mut Criterion) {
         let [numerator, denominator, shared] = [bits, bits, bits / 10].map(|bits| integer(bits, &mut source));
         let (numerator, denominator) = (numerator * &shared, denominator * shared);
         criterion.bench_function(&format!("gcd/{bits} bits"), |bencher| {
-            bencher.iter(|| Precision::Exact.quotient(black_box(&numerator), black_box(&denominator)));
+            bencher.iter(|| Quotient::new(black_box(&numerator), black_box(&denominator)).handed_out(Precision::Exact));
         });
         let quotient = Rational::new_raw(numerator.clone(), denominator.clone());
         criterion.bench_function(&format!("17 digits/{bits} bits"), |bencher| {

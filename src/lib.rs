@@ -12,10 +12,11 @@
 //! |---|---|---|
 //! | 0 | [`scalar`] | numbers, and what each can decide |
 //! | 1 | [`matrix`] | dense algebra: fraction-free elimination, pseudo-inverse, LDLᵀ, Loewner order |
+//! | 1 | [`modular`] | arithmetic modulo many word-sized primes, and the integers that it determines |
 //! | 2 | [`gaussian`] | Gaussian laws: affine images, conditioning |
 //! | 2 | [`model`] | state space systems, their realisation along data, and what can be wrong with them |
 //! | 2 | [`trace`] | the named quantities of each step |
-//! | 3 | [`filter`] | the filter by three exact routes, the diffuse start, the d-step predictor |
+//! | 3 | [`filter`] | the filter by exact routes that agree, the diffuse start, the d-step predictor |
 //! | 3 | [`riccati`] | the map of Riccati, its filter and its fixed point |
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |

@@ -1,7 +1,7 @@
 //! Matrices of fractions as integers over one denominator: the form in which heavy work is done.
 
 use num_bigint::BigInt;
-use num_traits::One;
+use num_traits::{One, Signed};
 
 use super::Matrix;
 use super::lowest_terms::lowest_terms;
@@ -55,6 +55,10 @@ impl Fractions {
 
     /// Every entry in lowest terms, or rounded.
     ///
+    /// # Panics
+    ///
+    /// If the denominator is not positive.
+    ///
     /// # Examples
     ///
     /// ```
@@ -77,7 +81,7 @@ impl Fractions {
     ///
     /// # Panics
     ///
-    /// If the matrix is not square.
+    /// If the matrix is not square, or the denominator not positive.
     pub fn symmetric(&self, precision: Precision) -> Matrix<Rational> {
         let n = self.numerators.rows();
         assert_eq!(n, self.numerators.columns(), "a symmetric matrix is square");
@@ -91,10 +95,12 @@ impl Fractions {
     }
 
     fn handed_out(&self, numerators: &[&BigInt], precision: Precision) -> Vec<Rational> {
+        assert!(self.denominator.is_positive(), "a denominator is positive");
         match precision {
             Precision::Exact => lowest_terms(numerators, &self.denominator),
             Precision::Rounded { .. } => {
-                numerators.iter().map(|numerator| precision.quotient(numerator, &self.denominator)).collect()
+                let quotient = |numerator| Quotient::new(numerator, &self.denominator);
+                numerators.iter().map(|numerator| quotient(numerator).handed_out(precision)).collect()
             }
         }
     }

@@ -38,7 +38,7 @@ pub struct Step<T> {
 /// dependence on earlier ones, so the conditional law is that of the frozen system (CKS-T).
 ///
 /// A path is made by [`System::realised`](super::System::realised), which checks it, or as the image of one.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Path<T> {
     timing: Timing,
     initial: Initial<T>,
@@ -46,6 +46,16 @@ pub struct Path<T> {
     /// Whether all covariances are known to be positive semidefinite.
     semidefinite: bool,
 }
+
+/// What is known of the covariances does not make paths differ.
+impl<T: PartialEq> PartialEq for Path<T> {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { timing, initial, steps, semidefinite: _ } = self;
+        (timing, initial, steps) == (&other.timing, &other.initial, &other.steps)
+    }
+}
+
+impl<T: Eq> Eq for Path<T> {}
 
 impl<T> Path<T> {
     /// A path whose parts the caller answers for; nothing is known of its covariances.
@@ -58,6 +68,11 @@ impl<T> Path<T> {
     pub(super) fn semidefinite(timing: Timing, initial: Initial<T>, steps: Vec<Step<T>>) -> Self {
         let semidefinite = !initial.allow_indefinite;
         Self { timing, initial, steps, semidefinite }
+    }
+
+    /// The same law in another timing: what is known of the covariances stays known.
+    pub(super) fn in_timing(&self, timing: Timing, initial: Initial<T>, steps: Vec<Step<T>>) -> Self {
+        Self { timing, initial, steps, semidefinite: self.semidefinite }
     }
 
     /// Whether all covariances are known to be positive semidefinite, as those of a realised system are.

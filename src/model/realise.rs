@@ -224,8 +224,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         let seen = self.past_of_observation(k);
         match &self.system.noise {
             Noise::Factors { observation, .. } => {
-                let factor = evaluated(Field::ObservationFactor, observation, k, seen)?;
-                self.check_shape(Field::ObservationFactor, Some(k), factor.shape(), (m, factor.columns()))?;
+                let factor = self.observation_factor(k, observation)?;
                 Ok(&factor * factor.transpose())
             }
             Noise::Covariances { observation, .. } => {
@@ -235,6 +234,12 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
                 Ok(covariance)
             }
         }
+    }
+
+    fn observation_factor(&self, k: usize, observation: &Coefficient<S>) -> Result<Matrix<S>, ModelError<S>> {
+        let factor = evaluated(Field::ObservationFactor, observation, k, self.past_of_observation(k))?;
+        self.check_shape(Field::ObservationFactor, Some(k), factor.shape(), (self.sensors, factor.columns()))?;
+        Ok(factor)
     }
 
     fn process_noise(&self, k: usize, process: &Coefficient<S>) -> Result<Matrix<S>, ModelError<S>> {
@@ -248,15 +253,16 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
     fn joint_noise(&self, k: usize) -> Result<JointNoise<S>, ModelError<S>> {
         let (n, m) = (self.states, self.sensors);
         let seen = self.past_of_transition(k);
-        let observation_noise = self.observation_noise(k)?;
         match &self.system.noise {
             Noise::Factors { process, observation } => {
+                // One F for both products: a rule need not answer alike when it is asked twice.
+                let f = self.observation_factor(k, observation)?;
                 let d = evaluated(Field::ProcessFactor, process, k, seen)?;
-                let f = evaluated(Field::ObservationFactor, observation, k, self.past_of_observation(k))?;
                 self.check_shape(Field::ProcessFactor, Some(k), d.shape(), (n, f.columns()))?;
-                Ok((&d * d.transpose(), d * f.transpose(), observation_noise))
+                Ok((&d * d.transpose(), d * f.transpose(), &f * f.transpose()))
             }
             Noise::Covariances { process, cross, .. } => {
+                let observation_noise = self.observation_noise(k)?;
                 let process = self.process_noise(k, process)?;
                 let Some(cross) = cross else {
                     return Ok((process, Matrix::zeros(n, m), observation_noise));

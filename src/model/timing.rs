@@ -43,7 +43,7 @@ impl<S: Scalar> Path<S> {
         });
         let steps = steps.collect();
         let initial = Initial { before: Before::Observation, ..self.initial().clone() };
-        Self::from_parts(Timing::Departing, initial, steps)
+        self.in_timing(Timing::Departing, initial, steps)
     }
 
     /// The same states and observations in arriving timing, by feeding each reading back.
@@ -71,7 +71,7 @@ impl<S: Scalar> Path<S> {
             let transition = std::mem::replace(&mut arriving, next);
             steps.push(Step { transition, ..step.clone() });
         }
-        Ok(Self::from_parts(Timing::Arriving, self.initial().clone(), steps))
+        Ok(self.in_timing(Timing::Arriving, self.initial().clone(), steps))
     }
 }
 

@@ -56,7 +56,8 @@ impl Basis {
         &self.cofactors
     }
 
-    /// The b for which the remainders determine every integer x with |x| < 2^b.
+    /// A b for which the remainders determine every integer x with |x| < 2^b, if the primes are some of
+    /// [`Primes`](super::Primes).
     pub fn determines(&self) -> u64 {
         (PRIME_BITS * self.fields.len() as u64).saturating_sub(2)
     }

@@ -4,7 +4,8 @@ use std::sync::{Mutex, PoisonError};
 
 use super::PrimeField;
 
-/// Each of the first 2²⁰ primes below 2⁶² exceeds `2⁶² − 2²⁶`, so k of them multiply to more than `2^(62k−1)`.
+/// Each of the first 2²⁰ primes below 2⁶² exceeds `2⁶² − 2²⁶`, so k of them multiply to more than `2^(62k−1)`; more of them
+/// would determine integers of eight million bytes, where other ways are faster.
 pub const PRIME_BITS: u64 = 62;
 
 /// These bases together tell every composite number below 2⁶⁴ (J. Sinclair, 2011).

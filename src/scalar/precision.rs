@@ -28,11 +28,6 @@ impl Precision {
             Self::Rounded { .. } => Quotient::from(value).handed_out(self),
         }
     }
-
-    /// The quotient of two integers, the divisor positive.
-    pub fn quotient(self, numerator: &BigInt, denominator: &BigInt) -> Rational {
-        Quotient { numerator, denominator }.handed_out(self)
-    }
 }
 
 impl Quotient<'_> {

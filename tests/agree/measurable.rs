@@ -280,3 +280,34 @@ fn rules_are_shown_what_a_predictor_may_know() {
         }
     }
 }
+
+/// A rule that answers differently when it is asked again does not make a covariance that is none: FFᵀ and DFᵀ are of one F.
+#[test]
+fn both_products_of_a_factor_are_of_one_answer() {
+    let one = Q::identity(1);
+    for timing in [Timing::Arriving, Timing::Departing] {
+        let asked = Arc::new(Mutex::new(0));
+        let counted = Coefficient::adapted(move |_: Past<'_, Rational>| {
+            let mut asked = asked.lock().expect("no other test holds it");
+            *asked += 1;
+            Ok(Q::column(vec![ratio(*asked, 1)]))
+        });
+        let system = System {
+            timing,
+            initial: Initial::new(Before::Observation, Q::zeros(1, 1), one.clone()),
+            transition: one.clone().into(),
+            observation: one.clone().into(),
+            noise: Noise::Factors { process: one.clone().into(), observation: counted },
+            input: None,
+            observation_input: None,
+        };
+        let data = [1, 2, 3].map(|y| Observation::complete([ratio(y, 1)]));
+        let path = system.realised(&data).expect("shapes that fit");
+        let transitions = path.steps().iter().filter_map(|step| Some((step, step.transition.as_ref()?)));
+        // With D = 1 and one source, (DFᵀ)² = FFᵀ.
+        let squares: Vec<_> = transitions
+            .map(|(step, t)| (&t.cross_noise * t.cross_noise.transpose(), step.observation_noise.clone()))
+            .collect();
+        assert!(squares.len() >= 2 && squares.iter().all(|(cross, own)| cross == own), "{timing:?}");
+    }
+}

@@ -89,7 +89,7 @@ fn is_nearest(found: f64, value: &Rational) -> bool {
 }
 
 fn is_rounded(pair: &Pair, bits: u32) -> bool {
-    let found = Precision::Rounded { bits }.quotient(&pair.0, &pair.1);
+    let found = Quotient::new(&pair.0, &pair.1).handed_out(Precision::Rounded { bits });
     let reduced = Rational::new(found.numer().clone(), found.denom().clone());
     let same = |other: &Rational| (found.numer(), found.denom()) == (other.numer(), other.denom());
     same(&reduced)

@@ -18,7 +18,8 @@ pub(super) struct Law {
     pub(super) targets: usize,
     /// E
     pub(super) map: Fractions,
-    /// The covariance of the noise.
+    /// What is added to E P Eᵀ. In arriving timing that is no covariance where the noise of y is correlated with x: with
+    /// Γ = cov(x, noise of y) the entries are `R + CΓ + ΓᵀCᵀ` and Γ. The whole is one.
     pub(super) noise: Fractions,
     /// What is subtracted from E x₋: the innovation is the first entries of `constant − E x₋`.
     pub(super) constant: Fractions,

@@ -51,6 +51,9 @@ const SHORTEST: u64 = 512;
 /// From this length in bits on, the primes are so many that what takes their number squared is felt.
 const LONGEST: u64 = 1 << 19;
 
+/// The scale of a state is taken modulo each prime anew at each step; it is short but where states decay unobserved.
+const LONGEST_SCALE: u64 = 1 << 14;
+
 /// The values of [`filter`](super::filter()) except the gain, by faster routes.
 ///
 /// They are equal to those of the recursion, and come as integers over denominators: fractions in lowest terms, or
@@ -144,7 +147,7 @@ impl<'a> RationalFilter<'a> {
         // A path has a transition wherever a later observation depends on it; without one the filter ends.
         let Some(record) = start.records.pop() else { return Ok(None) };
         self.stage = Stage::Fractions(start, length(&record));
-        Ok(Some(RationalStep::of(&record)))
+        Ok(Some(RationalStep::of(&record, self.effort.wanted)))
     }
 
     fn on_integers(&mut self, state: &State, step: &'a Step<Rational>) -> Result<RationalStep, StopReason> {
@@ -170,14 +173,15 @@ impl<'a> RationalFilter<'a> {
 
     /// Whether a step is made modulo primes.
     ///
-    /// Elimination works through each entry once for each pivot, remainders put each together once: with one or two
-    /// states and one sensor that is the same, with more of them it is not.
+    /// Elimination works through each entry once for each pivot, remainders put each together once: with at most three
+    /// states and sensors together that is about the same, with more of them it is not.
     fn is_modular(&self, state: &State, step: &Step<Rational>) -> bool {
         let size = step.observation.columns() + step.observation.rows();
+        let scale = state.scale.bits().max(state.mean_scale.bits());
         // The lengths of integers are known beforehand where covariances are semidefinite.
         self.path.is_semidefinite()
             && match self.effort.route {
-                Route::Fastest => size > 3 && (SHORTEST..LONGEST).contains(&state.bits()),
+                Route::Fastest => size > 3 && (SHORTEST..LONGEST).contains(&state.bits()) && scale < LONGEST_SCALE,
                 Route::FractionFree => false,
                 Route::Multimodular => true,
             }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::Wanted;
 use crate::matrix::{Fractions, Matrix};
 use crate::scalar::{Precision, Rational};
 use crate::trace::{Quantity, Record, Values};
@@ -41,8 +42,12 @@ impl RationalStep {
     }
 
     /// The results of a step of the recursion.
-    pub(super) fn of(record: &Record<Rational>) -> Self {
-        let values = record.values().into_iter().filter(|(quantity, _)| *quantity != Quantity::Gain);
+    pub(super) fn of(record: &Record<Rational>, wanted: Wanted) -> Self {
+        let is_wanted = |quantity| match wanted {
+            Wanted::Everything => quantity != Quantity::Gain,
+            Wanted::Filtered => matches!(quantity, Quantity::FilteredMean | Quantity::FilteredCovariance),
+        };
+        let values = record.values().into_iter().filter(|(quantity, _)| is_wanted(*quantity));
         let values = values.map(|(quantity, matrix)| (quantity, Fractions::of(&matrix))).collect();
         Self { values, innovation_rank: record.innovation_rank }
     }

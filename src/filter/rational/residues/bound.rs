@@ -116,7 +116,8 @@ pub(super) fn length(state: &State, laws: StepLaws<'_>, [scale, mean_scale]: &[B
     };
     let columns = (0..joint.mean.len()).filter_map(column);
     let longest = columns.chain(covariance).max().unwrap_or(0).max(divisor_after);
-    u64::try_from(longest).unwrap_or(0)
+    // The divisor is positive, so its length is, too.
+    longest.unsigned_abs()
 }
 
 #[cfg(test)]

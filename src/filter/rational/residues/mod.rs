@@ -73,6 +73,8 @@ impl Residues {
         let longest = longest.chain([coefficients.longest(), constants.longest()]).max();
         let powers = longest.unwrap_or(1);
         if is_new || self.images.iter().any(|image| image.powers.len() < powers) {
+            // More than are needed now: a scale that lengthens does so at every step.
+            let powers = powers.next_power_of_two();
             let work = self.images.len() * shape.work();
             let tasks: Vec<_> = self.images.iter_mut().zip(self.basis.fields()).collect();
             each(tasks, work, |(), (image, field)| image.refresh(field, &coefficients, powers));
