@@ -14,13 +14,12 @@ def textbook(A, C, D, F, P, x, readings, solved):
     """The recursion as one finds it in books, over any matrices with + - * and `transpose`."""
     At, Ct = A.transpose(), C.transpose()
     process, shared = D * D.transpose(), D * F.transpose()
-    seen = C * shared
-    noise = F * F.transpose() + seen + seen.transpose()
+    noise = F * F.transpose() + (C * shared).transpose()
     steps = []
     for y in readings:
         predicted = A * P * At + process
         cross = predicted * Ct + shared
-        innovation = C * predicted * Ct + noise
+        innovation = C * cross + noise
         gain_transposed = solved(innovation, cross.transpose())
         gain = gain_transposed.transpose()
         P = predicted - cross * gain_transposed

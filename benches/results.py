@@ -163,7 +163,8 @@ def speed(measured):
     text = [
         "Medians of CPU seconds of one thread, but where it says wall; medians of the ratio of each round, with the least and the"
         " largest. Goals: fmpq_mat / ours ≥ 10, and ≥ 20 for n ≥ 8; fmpz / ours ≥ 1, and ≥ 2 for n ≥ 8; with our results in lowest"
-        " terms, as fmpq_mat's are, ≥ 3.",
+        " terms, as fmpq_mat's are, ≥ 3. The goals are for these horizons; at shorter ones what does not depend on the length of the"
+        " numbers weighs more, and all ratios are smaller (see *Growth with T*).",
         "",
         *table(head, rows),
         "",

@@ -93,11 +93,24 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let half_and_end = [(steps.len() / 2).max(1), steps.len()].into_iter().filter_map(length);
     let bits: BTreeMap<String, u64> = half_and_end.map(|(count, bits)| (count.to_string(), bits)).collect();
+    // What was timed is what is hashed: of fractions in lowest terms, these.
+    let handed_over: Vec<StepFractions> = steps
+        .iter()
+        .map(|step| match options.output {
+            Output::LowestTerms => {
+                let values = step.fractions(Precision::Exact).values;
+                values.into_iter().map(|(quantity, matrix)| (quantity, entries_of_fractions(&matrix))).collect()
+            }
+            Output::Integers | Output::Digits => {
+                step.values.iter().map(|(quantity, matrix)| (*quantity, entries_of_integers(matrix))).collect()
+            }
+        })
+        .collect();
     let report = serde_json::json!({
         "cpu": median(&mut cpu), "wall": median(&mut wall), "runs": cpu.len(),
         "bits": bits, "output": length_of_output,
         "memory_before": memory_before, "memory": memory,
-        "hash_last": hash(steps.last()), "hash_all": hash(&steps),
+        "hash_last": hash(&handed_over[steps.len().saturating_sub(1)..]), "hash_all": hash(&handed_over),
         "version": format!("exact-kalman {}", env!("CARGO_PKG_VERSION")),
     });
     println!("{report}");
@@ -127,15 +140,25 @@ fn length_of_digits((quantity, matrix): (&Quantity, &Fractions)) -> u64 {
     for row in 0..numerators.rows() {
         let columns = if quantity.is_covariance() { row + 1 } else { numerators.columns() };
         for column in 0..columns {
-            let quotient = Rational::new_raw(numerators[(row, column)].clone(), matrix.denominator.clone());
-            length += Decimal::rounded(&quotient, 17).to_string().len() as u64;
+            length += Decimal::of_quotient(matrix.quotient(row, column), 17).to_string().len() as u64;
         }
     }
     length
 }
 
+/// Numerators and denominators of the entries of what a step handed out, row by row.
+type StepFractions = BTreeMap<Quantity, Vec<(BigInt, BigInt)>>;
+
+fn entries_of_fractions(matrix: &Matrix<Rational>) -> Vec<(BigInt, BigInt)> {
+    matrix.entries().iter().map(|entry| (entry.numer().clone(), entry.denom().clone())).collect()
+}
+
+fn entries_of_integers(matrix: &Fractions) -> Vec<(BigInt, BigInt)> {
+    matrix.numerators.entries().iter().map(|numerator| (numerator.clone(), matrix.denominator.clone())).collect()
+}
+
 /// The filtered covariances, then the means, entry by entry modulo 2⁶¹ − 1, as the digits of one number.
-fn hash<'a>(steps: impl IntoIterator<Item = &'a RationalStep>) -> u64 {
+fn hash(steps: &[StepFractions]) -> u64 {
     let modulus = (1u64 << 61) - 1;
     let product = |left: u64, right: u64| u128::from(left) * u128::from(right) % u128::from(modulus);
     let (big, inverting) = (BigInt::from(modulus), BigInt::from(modulus - 2));
@@ -143,12 +166,12 @@ fn hash<'a>(steps: impl IntoIterator<Item = &'a RationalStep>) -> u64 {
         let nonnegative = ((integer % &big) + &big) % &big;
         u64::try_from(nonnegative).unwrap_or_default()
     };
+    let remainder_of = |integer: &BigInt| BigInt::from(remainder(integer));
     let mut hash = 0;
     for step in steps {
         for quantity in [Quantity::FilteredCovariance, Quantity::FilteredMean] {
-            let matrix = &step.values[&quantity];
-            let inverse = remainder(&matrix.denominator.modpow(&inverting, &big));
-            for numerator in matrix.numerators.entries() {
+            for (numerator, denominator) in &step[&quantity] {
+                let inverse = remainder(&remainder_of(denominator).modpow(&inverting, &big));
                 let sum = product(hash, 1_000_003) + product(remainder(numerator), inverse);
                 hash = u64::try_from(sum % u128::from(modulus)).unwrap_or_default();
             }

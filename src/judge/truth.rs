@@ -16,7 +16,7 @@ pub enum Truth {
 }
 
 impl Truth {
-    /// Solves a case exactly, and its perturbations; a case that would take many minutes is left unknown.
+    /// Solves a case exactly, and its perturbations; a case that may take minutes is left unknown.
     pub fn of(case: &Case) -> Self {
         let path = match case.problem().and_then(|problem| problem.realised()) {
             Ok(path) => path,
@@ -25,7 +25,7 @@ impl Truth {
         if is_too_much(&path) {
             let (states, sensors, steps) = (path.states(), path.sensors(), path.steps().len());
             return Self::Unknown(format!(
-                "{steps} steps of {states} states and {sensors} sensors are too many for exact numbers: they would take many minutes"
+                "{steps} steps of {states} states and {sensors} sensors are too many for exact numbers: with long ones they take minutes"
             ));
         }
         match Reference::of(&path) {
