@@ -54,7 +54,7 @@ pub(super) struct Solve {
     /// transitions may go on beyond the last reading, and prediction ends where they do.
     #[arg(long, value_name = "STEPS", value_parser = ahead)]
     ahead: Option<NonZero<usize>>,
-    /// How long denominators may become, in bits, or `none`. What was computed before is printed. It bounds time and memory,
+    /// How long denominators may be when another step is begun, in bits, or `none`. What is known by then is printed. It bounds time and memory,
     /// since all numbers of a step have about that length; with --trace and --ahead, whose fractions cost far more, a
     /// sixteenth of it counts [default: 2^31 / (m + 2n)^2 for n states and m sensors, which keeps memory below some two
     /// gibibytes].
@@ -241,7 +241,7 @@ impl Ended {
             ),
             Stop::Reason(reason @ StopReason::TooLong { .. }) => ended(
                 reason.to_string(),
-                "; give a higher --max-bits (time and memory grow with it), fewer observations, or data of fewer digits: \
+                "; give a higher --max-bits (--trace and --ahead use a sixteenth of it; time and memory grow with it), fewer observations, or data of fewer digits: \
                  with each step numbers lengthen by about what its data have",
                 Outcome::Error,
                 Exit::Undecided,
