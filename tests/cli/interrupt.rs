@@ -17,20 +17,20 @@ const PATIENCE: Duration = Duration::from_secs(120);
 fn started(arguments: &[&str]) -> Child {
     let mut command = Command::new("env");
     command.args(["--default-signal=INT", PROGRAM]).args(arguments).current_dir(env!("CARGO_MANIFEST_DIR"));
-    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
 }
 
 fn ctrl_c(child: &Child) {
-    kill(Pid::from_raw(i32::try_from(child.id()).unwrap()), Signal::SIGINT).unwrap();
+    kill(Pid::from_raw(i32::try_from(child.id()).expect("it fits")), Signal::SIGINT).expect("it runs");
 }
 
 /// Waits until the program has a handler for Ctrl-C: the bit of signal 2 in what Linux tells of it.
 fn listening(child: &Child) {
     let begun = Instant::now();
     let is_caught = || {
-        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
-        let line = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).map(str::trim).unwrap();
-        u64::from_str_radix(line, 16).unwrap() & 2 != 0
+        let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).expect("it runs");
+        let line = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).map(str::trim).expect("Linux tells it");
+        u64::from_str_radix(line, 16).expect("a mask") & 2 != 0
     };
     while !is_caught() {
         assert!(begun.elapsed() < PATIENCE);
@@ -40,10 +40,10 @@ fn listening(child: &Child) {
 
 /// How the program ended whose output was read up to here already.
 fn ended(mut child: Child, mut read: String, mut rest: BufReader<ChildStdout>) -> Ran {
-    rest.read_to_string(&mut read).unwrap();
+    rest.read_to_string(&mut read).expect("it can be read");
     let mut stderr = Vec::new();
-    child.stderr.take().unwrap().read_to_end(&mut stderr).unwrap();
-    let status = child.wait().unwrap();
+    child.stderr.take().expect("it is piped").read_to_end(&mut stderr).expect("it can be read");
+    let status = child.wait().expect("the program ends");
     Ran::of(std::process::Output { status, stdout: read.into_bytes(), stderr })
 }
 
@@ -58,9 +58,9 @@ fn endless(directory: &Directory, more: &[String]) -> String {
 fn steps_that_are_known_are_printed() {
     let directory = Directory::new();
     let mut child = started(&["solve", &endless(&directory, &[walk("next", &["1"])]), "--digits", "3"]);
-    let (mut read, mut out) = (String::new(), BufReader::new(child.stdout.take().unwrap()));
+    let (mut read, mut out) = (String::new(), BufReader::new(child.stdout.take().expect("it is piped")));
     // It is printed while the next ones are computed.
-    out.read_line(&mut read).unwrap();
+    out.read_line(&mut read).expect("it can be read");
     assert_eq!(read, "long · step 0\n");
     ctrl_c(&child);
     let ran = ended(child, read, out);
@@ -79,17 +79,21 @@ fn steps_that_are_known_are_printed() {
 fn an_interrupted_answer_is_an_answer() {
     let directory = Directory::new();
     let mut child = started(&["solve", &endless(&directory, &[]), "--format", "json"]);
-    let (mut read, mut out) = (vec![0; 9], BufReader::new(child.stdout.take().unwrap()));
-    out.read_exact(&mut read).unwrap();
+    let (mut read, mut out) = (vec![0; 9], BufReader::new(child.stdout.take().expect("it is piped")));
+    out.read_exact(&mut read).expect("it can be read");
     ctrl_c(&child);
-    let ran = ended(child, String::from_utf8(read).unwrap(), out);
-    let answer: Value = serde_json::from_str(&ran.stdout).unwrap();
-    let steps = answer["steps"].as_array().unwrap().len();
+    let ran = ended(child, String::from_utf8(read).expect("it is text"), out);
+    let answer: Value = serde_json::from_str(&ran.stdout).expect("it is JSON");
+    let steps = answer["steps"].as_array().expect("as the schema has it").len();
     assert_eq!((&answer["id"], &answer["outcome"]), (&"long".into(), &"error".into()));
     assert_eq!(answer["step"], steps);
-    assert!(answer["message"].as_str().unwrap().starts_with("it was interrupted"), "{}", answer["message"]);
+    assert!(
+        answer["message"].as_str().expect("as the schema has it").starts_with("it was interrupted"),
+        "{}",
+        answer["message"]
+    );
     assert!((1..40_000).contains(&steps) && ran.code == 130, "{steps} {}", ran.code);
-    exact_kalman::protocol::Answer::parse(ran.stdout.trim_end()).unwrap();
+    exact_kalman::protocol::Answer::parse(ran.stdout.trim_end()).expect("an answer of the protocol");
 }
 
 /// What is held back is printed, and nothing is waited for: by the readable recursion too.
@@ -100,7 +104,7 @@ fn the_last_step_that_is_known() {
     for more in [&[][..], &["--trace"], &["--ahead", "2"]] {
         let mut child = started(&[&["solve", &cases, "--last"], more].concat());
         listening(&child);
-        let out = BufReader::new(child.stdout.take().unwrap());
+        let out = BufReader::new(child.stdout.take().expect("it is piped"));
         ctrl_c(&child);
         let ran = ended(child, String::new(), out);
         assert!(ran.stdout.matches(" · step ").count() <= 1, "{}", ran.stdout);
@@ -116,15 +120,15 @@ fn a_second_one_ends_at_once() {
     // A program that never answers, and would be waited for.
     let mut child = started(&["check", "--time", "86400", "--cases", &cases, "--", "sh", "-c", "cat >/dev/null"]);
     listening(&child);
-    let mut errors = BufReader::new(child.stderr.take().unwrap());
+    let mut errors = BufReader::new(child.stderr.take().expect("it is piped"));
     ctrl_c(&child);
     let mut line = String::new();
-    errors.read_line(&mut line).unwrap();
+    errors.read_line(&mut line).expect("it can be read");
     assert_eq!(line, "stopping after this case; Ctrl-C once more ends at once\n");
     ctrl_c(&child);
-    assert_eq!(child.wait().unwrap().code(), Some(130));
+    assert_eq!(child.wait().expect("the program ends").code(), Some(130));
     let mut out = String::new();
-    child.stdout.take().unwrap().read_to_string(&mut out).unwrap();
+    child.stdout.take().expect("it is piped").read_to_string(&mut out).expect("it can be read");
     assert_eq!(out, "");
 }
 
@@ -152,23 +156,23 @@ echo "{{\"id\":\"$id\",\"outcome\":\"answered\",\"steps\":[{{\"filtered_mean\":[
         }
         ctrl_c(&child);
         let mut line = String::new();
-        BufReader::new(child.stderr.take().unwrap()).read_line(&mut line).unwrap();
+        BufReader::new(child.stderr.take().expect("it is piped")).read_line(&mut line).expect("it can be read");
         assert!(line.starts_with("stopping after this case"), "{line}");
-        std::fs::write(&gate, "").unwrap();
-        let output = child.wait_with_output().unwrap();
-        let out = String::from_utf8(output.stdout).unwrap();
+        std::fs::write(&gate, "").expect("the temporary directory is ours");
+        let output = child.wait_with_output().expect("the program ends");
+        let out = String::from_utf8(output.stdout).expect("it is text");
         // Whether the second is judged depends on whether its truth is known by then; the third is not asked.
         let judged = if format == "json" {
-            let report: Value = serde_json::from_str(&out).unwrap();
+            let report: Value = serde_json::from_str(&out).expect("it is JSON");
             assert_eq!(report["cases"][0]["id"], "a");
-            3 - usize::try_from(report["unjudged"].as_u64().unwrap()).unwrap()
+            3 - usize::try_from(report["unjudged"].as_u64().expect("as the schema has it")).expect("it fits")
         } else {
             3 - [1, 2].into_iter().find(|left| out.contains(&incomplete(*left))).unwrap_or_else(|| panic!("{out}"))
         };
         assert!([1, 2].contains(&judged), "{out}");
         assert_eq!(output.status.code(), Some(130));
-        std::fs::remove_file(&gate).unwrap();
-        std::fs::remove_file(&asked).unwrap();
+        std::fs::remove_file(&gate).expect("the temporary directory is ours");
+        std::fs::remove_file(&asked).expect("the temporary directory is ours");
     }
 }
 
@@ -188,11 +192,11 @@ fn judging_saved_answers_can_be_interrupted() {
     for jobs in ["1", "3"] {
         let mut child = started(&["judge", &answers, "--cases", &cases, "--jobs", jobs, "--format", "json"]);
         listening(&child);
-        let out = BufReader::new(child.stdout.take().unwrap());
+        let out = BufReader::new(child.stdout.take().expect("it is piped"));
         ctrl_c(&child);
         let ran = ended(child, String::new(), out);
-        let report: Value = serde_json::from_str(&ran.stdout).unwrap();
-        let judged = report["cases"].as_array().unwrap();
+        let report: Value = serde_json::from_str(&ran.stdout).expect("it is JSON");
+        let judged = report["cases"].as_array().expect("as the schema has it");
         assert_eq!(report["unjudged"], 3_000 - judged.len());
         assert!(judged.iter().enumerate().all(|(k, case)| case["id"] == format!("walk-{k}")));
         assert_eq!(ran.code, 130);
@@ -205,10 +209,10 @@ fn a_closed_pipe_ends_a_long_run_quietly() {
     let cases = endless(&directory, &[]);
     for more in [&[][..], &["--format", "json"], &["--trace"]] {
         let mut child = started(&[&["solve", &cases], more].concat());
-        let mut out = child.stdout.take().unwrap();
-        out.read_exact(&mut [0; 9]).unwrap();
+        let mut out = child.stdout.take().expect("it is piped");
+        out.read_exact(&mut [0; 9]).expect("it can be read");
         drop(out);
-        let ran = Ran::of(child.wait_with_output().unwrap());
+        let ran = Ran::of(child.wait_with_output().expect("the program ends"));
         assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
     }
 }

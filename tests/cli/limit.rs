@@ -26,7 +26,7 @@ fn what_was_computed_before_the_limit_is_printed() {
         assert_eq!(ran.code, 3);
         let opening = format!("long: at step {steps} exact numbers have grown to ");
         let bits = ran.stderr.strip_prefix(&opening).and_then(|rest| rest.split(' ').next()).expect(&ran.stderr);
-        assert!(bits.parse::<u64>().unwrap() > limit.parse().unwrap(), "{}", ran.stderr);
+        assert!(bits.parse::<u64>().expect("a number") > limit.parse().expect("a number"), "{}", ran.stderr);
         assert!(ran.stderr.contains(&format!("beyond the limit of {limit}; ")), "{}", ran.stderr);
         assert!(ran.stderr.contains("higher --max-bits") && ran.stderr.lines().count() == 1, "{}", ran.stderr);
     }
@@ -43,11 +43,14 @@ fn what_was_computed_before_the_limit_is_printed() {
 fn an_answer_that_grows_too_long_is_an_answer() {
     let case = walk("long", &["0.1"; 40]);
     let ran = feed(&["solve", "-", "--max-bits", "20", "--format", "json"], &case);
-    let answer: Value = serde_json::from_str(&ran.stdout).unwrap();
-    let steps = answer["steps"].as_array().unwrap().len();
+    let answer: Value = serde_json::from_str(&ran.stdout).expect("it is JSON");
+    let steps = answer["steps"].as_array().expect("as the schema has it").len();
     assert!((1..40).contains(&steps));
     assert_eq!((&answer["outcome"], &answer["step"]), (&"error".into(), &steps.into()));
-    assert!(answer["message"].as_str().unwrap().starts_with("exact numbers have grown to"), "{answer}");
+    assert!(
+        answer["message"].as_str().expect("as the schema has it").starts_with("exact numbers have grown to"),
+        "{answer}"
+    );
     assert_eq!(ran.code, 3);
 }
 

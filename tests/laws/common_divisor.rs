@@ -64,9 +64,9 @@ fn powers_of_two_less_one_and_fibonacci_numbers() {
     }
     for a in exponents {
         for b in exponents {
-            let shared = (1..=a).rev().find(|d| a % d == 0 && b % d == 0).unwrap();
+            let shared = (1..=a).rev().find(|d| a % d == 0 && b % d == 0).expect("1 divides both");
             assert!(agrees(&(power(2, a) - 1), &(power(2, b) - 1), &(power(2, shared) - 1)), "2^{a}, 2^{b}");
-            let [x, y, divisor] = [a, b, shared].map(|k| &fibonacci[usize::try_from(k).unwrap()]);
+            let [x, y, divisor] = [a, b, shared].map(|k| &fibonacci[usize::try_from(k).expect("it fits")]);
             assert!(agrees(x, y, divisor), "F{a}, F{b}");
         }
     }

@@ -61,7 +61,7 @@ fn two_to(exponent: i64) -> Rational {
 fn rounded_by_definition(value: &Rational, bits: u32) -> Rational {
     let magnitude = absolute(value.clone());
     let (numerator, denominator) = (magnitude.numer().bits(), magnitude.denom().bits());
-    let mut e = i64::try_from(numerator).unwrap() - i64::try_from(denominator).unwrap() - 1;
+    let mut e = i64::try_from(numerator).expect("it fits") - i64::try_from(denominator).expect("it fits") - 1;
     while two_to(e) <= magnitude {
         e += 1;
     }
@@ -76,11 +76,11 @@ fn rounded_by_definition(value: &Rational, bits: u32) -> Rational {
 fn is_nearest(found: f64, value: &Rational) -> bool {
     let distance = |x: f64| exact_value(x).map(|x| absolute(x - value));
     let Some(own) = distance(found) else {
-        let beyond = exact_value(f64::MAX).unwrap() + two_to(970);
+        let beyond = exact_value(f64::MAX).expect("it is finite") + two_to(970);
         return found.is_infinite() && absolute(value.clone()) >= beyond;
     };
     let even = found.to_bits().is_multiple_of(2);
-    let largest = exact_value(f64::MAX).unwrap() + two_to(970);
+    let largest = exact_value(f64::MAX).expect("it is finite") + two_to(970);
     let fits = |other: f64| match distance(other) {
         Some(distance) => own < distance || own == distance && even,
         None => absolute(value.clone()) < largest,
@@ -145,7 +145,7 @@ fn the_ends_of_the_doubles() {
     assert_eq!(at(&least * ratio(5, 2)).to_bits(), 2);
     assert_eq!(at(two_to(-4000)).to_bits(), 0);
     assert_eq!(at(two_to(-1022) - &least / ratio(2, 1)).to_bits(), f64::MIN_POSITIVE.to_bits());
-    let middle = exact_value(f64::MAX).unwrap() + two_to(970);
+    let middle = exact_value(f64::MAX).expect("it is finite") + two_to(970);
     assert_eq!(at(middle.clone()).to_bits(), f64::INFINITY.to_bits());
     assert_eq!(at(&middle - &tiny).to_bits(), f64::MAX.to_bits());
     assert_eq!(at(-two_to(5000)).to_bits(), f64::NEG_INFINITY.to_bits());
@@ -176,10 +176,10 @@ proptest! {
     #[test]
     fn enclosures_hold_the_value(pair in long_pair(), bits in 1_u64..300) {
         let interval = Quotient::new(&pair.0, &pair.1).enclosed(bits);
-        let [lower, upper] = [interval.lower(), interval.upper()].map(|end| end.value().unwrap());
+        let [lower, upper] = [interval.lower(), interval.upper()].map(|end| end.value().expect("ends of an enclosure are finite"));
         let value = value(&pair);
         prop_assert!(lower <= value && value <= upper);
-        let width = two_to(2 - i64::try_from(bits).unwrap());
+        let width = two_to(2 - i64::try_from(bits).expect("it fits"));
         prop_assert!(upper - lower <= absolute(value) * width);
     }
 }

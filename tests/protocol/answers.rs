@@ -170,18 +170,20 @@ fn an_answer_that_is_written_while_it_is_found_reads_the_same() {
             [(Outcome::Answered, None, None), (Outcome::Error, Some(steps), Some("quoted \"so\"".to_owned()))]
         {
             let mut line = Vec::new();
-            let mut stream = AnswerStream::begin::<Rational>(&mut line, "a \"b\"").unwrap();
+            let mut stream = AnswerStream::begin::<Rational>(&mut line, "a \"b\"").expect("memory takes it");
             for (k, laws) in ahead.iter().enumerate().take(steps) {
-                stream.step(&step(i64::try_from(k).unwrap()), laws).unwrap();
+                stream.step(&step(i64::try_from(k).expect("few steps")), laws).expect("memory takes it");
             }
-            stream.end(outcome, place, message.clone()).unwrap();
-            let mut whole =
-                Answer::answered("a \"b\"", (0..i64::try_from(steps).unwrap()).map(step).collect::<Vec<_>>());
+            stream.end(outcome, place, message.clone()).expect("memory takes it");
+            let mut whole = Answer::answered(
+                "a \"b\"",
+                (0..i64::try_from(steps).expect("few steps")).map(step).collect::<Vec<_>>(),
+            );
             whole.ahead = ahead[..steps].to_vec();
             let whole = Answer { outcome, step: place, message, ..whole }.to_line();
-            let line = String::from_utf8(line).unwrap();
+            let line = String::from_utf8(line).expect("JSON is text");
             assert!(line.ends_with("}\n") && line.lines().count() == 1, "{line}");
-            assert_eq!(Answer::parse(&line).unwrap(), Answer::parse(&whole).unwrap());
+            assert_eq!(Answer::parse(&line).expect("an answer"), Answer::parse(&whole).expect("an answer"));
         }
     }
 }

@@ -84,8 +84,8 @@ proptest! {
         let numerator = if negative { -numerator } else { numerator };
         let (numerator, denominator) = if up { (numerator * power, deep) } else { (numerator, deep * power) };
         let found = Decimal::of_quotient(Quotient::new(&numerator, &denominator), 3).value();
-        let away = i64::try_from(significand).unwrap() + i64::from(off >= 0);
-        let places = i32::try_from(shift).unwrap();
+        let away = i64::try_from(significand).expect("few digits") + i64::from(off >= 0);
+        let places = i32::try_from(shift).expect("a small shift");
         let scale = Rational::from(BigInt::from(10)).pow(1 + if up { places } else { -places });
         prop_assert_eq!(found, scale * ratio(if negative { -away } else { away }, 1));
     }
