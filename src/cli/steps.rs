@@ -5,19 +5,16 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use super::interrupt;
-use crate::filter::{Effort, Predictions, RationalFilter, RationalStep, Records, StepAhead, StopReason};
+use crate::filter::{
+    Effort, FRACTIONS_PART, Predictions, RationalFilter, RationalStep, Records, StepAhead, StopReason,
+};
 use crate::gaussian::ConditionError;
-use crate::matrix::Matrix;
 use crate::model::{Path, PathAhead};
 use crate::scalar::Rational;
-use crate::trace::{Moments, Record};
+use crate::trace::Record;
 
 /// How often it is asked whether to stop.
 const HEARTBEAT: Duration = Duration::from_millis(50);
-
-/// Fractions in lowest terms cost so much more than integers over a denominator that they may grow so much less; the fast
-/// route says the same of its steps with a diffuse part.
-const PART_FOR_FRACTIONS: u64 = 16;
 
 /// How the steps are computed.
 #[derive(Debug)]
@@ -121,13 +118,13 @@ fn fractions<T>(
     step: impl Fn(T) -> Step,
     tell: impl Fn(Step, u64) -> bool,
 ) -> Option<Stop> {
-    let limit = maximal_bits.map(|limit| limit / PART_FOR_FRACTIONS);
+    let limit = maximal_bits.map(|limit| limit / FRACTIONS_PART);
     for (done, result) in (1..).zip(results) {
         let result = match result {
             Ok(result) => result,
             Err(reason) => return Some(Stop::Reason(reason.into())),
         };
-        let bits = length(record(&result));
+        let bits = record(&result).denominator_bits();
         if !tell(step(result), bits) {
             return None;
         }
@@ -136,13 +133,6 @@ fn fractions<T>(
         }
     }
     None
-}
-
-/// The length in bits of the longest denominator that goes on to the next step.
-fn length(record: &Record<Rational>) -> u64 {
-    let Moments { covariance, diffuse, .. } = &record.filtered;
-    let entries = covariance.entries().iter().chain(diffuse.iter().flat_map(Matrix::entries));
-    entries.map(|entry| entry.denom().bits()).max().unwrap_or(0)
 }
 
 impl Steps {

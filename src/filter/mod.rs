@@ -26,7 +26,8 @@ pub use ahead::{Predictions, StepAhead, TraceAhead, predict_ahead};
 pub use error::FilterError;
 pub use one_shot::{OneShot, one_shot, one_shot_ahead};
 pub use rational::{
-    Effort, RationalFilter, RationalFilterError, RationalStep, Route, StepValues, StopReason, Wanted, filter_rational,
+    Effort, FRACTIONS_PART, RationalFilter, RationalFilterError, RationalStep, Route, StepValues, StopReason, Wanted,
+    filter_rational,
 };
 pub use records::Records;
 pub use recursion::filter;

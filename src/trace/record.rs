@@ -2,6 +2,7 @@
 
 use super::{Quantity, Values};
 use crate::matrix::Matrix;
+use crate::scalar::Rational;
 
 /// Mean and covariance of the state; while a diffuse start is not resolved, also P∞.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,6 +70,15 @@ pub struct Trace<T> {
     pub records: Vec<Record<T>>,
     /// The state after the last transition, if the path has one after its last observation.
     pub ahead: Option<Moments<T>>,
+}
+
+impl Record<Rational> {
+    /// The length in bits of the longest denominator that goes on to the next step.
+    pub fn denominator_bits(&self) -> u64 {
+        let Moments { covariance, diffuse, .. } = &self.filtered;
+        let entries = covariance.entries().iter().chain(diffuse.iter().flat_map(Matrix::entries));
+        entries.map(|entry| entry.denom().bits()).max().unwrap_or(0)
+    }
 }
 
 impl<T: Clone> Record<T> {

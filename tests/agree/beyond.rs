@@ -63,8 +63,14 @@ fn prediction_ends_with_the_lists() {
     let entry = || Some(Matrix::<Rational>::identity(1));
     broken.transition = Coefficient::PerStep(vec![entry(), None, entry(), entry()]);
     let path = broken.realised_ahead(&data, steps(3)).expect("a valid system");
-    assert_eq!((predict_ahead(&path).unwrap().steps[1].ahead.len(), path.beyond().len()), (0, 0));
-    assert_eq!(one_shot_ahead(&path).unwrap().iter().map(Vec::len).collect::<Vec<_>>(), [2, 1, 0]);
+    assert_eq!(
+        (predict_ahead(&path).expect("noise on every sensor").steps[1].ahead.len(), path.beyond().len()),
+        (0, 0)
+    );
+    assert_eq!(
+        one_shot_ahead(&path).expect("noise on every sensor").iter().map(Vec::len).collect::<Vec<_>>(),
+        [2, 1, 0]
+    );
 }
 
 /// The transitions beyond the last observation are checked as the others are.
@@ -96,7 +102,7 @@ fn what_was_predicted_before_a_contradiction_is_kept() {
         ..listed(Timing::Departing, 0)
     };
     let data = [0, 1].map(|y| Observation::complete([ratio(y, 1)]));
-    let path = constant.realised_ahead(&data, steps(2)).unwrap();
+    let path = constant.realised_ahead(&data, steps(2)).expect("shapes that fit");
     let Err(FilterError { step, computed, .. }) = predict_ahead(&path) else { panic!("x is read as 0 and as 1") };
     assert_eq!((step, computed.start.len(), computed.steps.len()), (1, 2, 1));
     assert!(computed.steps[0].ahead.iter().all(|law| law.mean.is_zero() && law.covariance.is_zero()));

@@ -59,7 +59,8 @@ fn simulated(lag: usize, z: &[Rational]) -> (Rational, [Rational; 2]) {
 /// The records, and the law of the biomass x_2 given the first `known` readings.
 fn predicted(d: usize, known: usize, readings: &[Rational]) -> (Vec<Record<Rational>>, Rational, Rational) {
     let data: Vec<_> = readings[..known].iter().map(|y| Observation::complete([y.clone()])).collect();
-    let trace = predict_ahead(&reactor().realised_ahead(&data, steps(d)).unwrap()).unwrap();
+    let path = reactor().realised_ahead(&data, steps(d)).expect("shapes that fit");
+    let trace = predict_ahead(&path).expect("noise on every sensor");
     let law = &trace.steps[known - 1].ahead[2 - known];
     let (mean, variance) = (law.mean[(0, 0)].clone(), law.covariance[(0, 0)].clone());
     (trace.steps.into_iter().map(|step| step.record).collect(), mean, variance)

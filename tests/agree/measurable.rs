@@ -185,7 +185,7 @@ fn growth_may_depend_on_the_last_reading() {
     assert!(is_right(model, (1, 1, 1, 4), |y| predicted(model, 1, 1, y)));
     for y in [-3, 0, 2] {
         let y = ratio(y, 1);
-        let law = &one_shot_ahead(&model.realised(std::slice::from_ref(&y), 1)).unwrap()[1][0];
+        let law = &one_shot_ahead(&model.realised(std::slice::from_ref(&y), 1)).expect("a model with noise")[1][0];
         let (mean, variance) = predicted(model, 1, 1, std::slice::from_ref(&y));
         assert_eq!((law.mean(), law.covariance()), (&scalar(mean.clone()), &scalar(variance.clone())));
         // By hand: x_0 and w_0 have mean y/2 and covariance [[1, −1], [−1, 1]]/2 given their sum y.
@@ -233,9 +233,9 @@ fn one_step_further_the_predictor_would_be_wrong() {
         Ok(number(1))
     });
     let data = [5, 7].map(|y| Observation::complete([ratio(y, 1)]));
-    system.realised_ahead(&data, steps(2)).unwrap();
+    system.realised_ahead(&data, steps(2)).expect("shapes that fit");
     // Into x_1, x_2 and x_3.
-    assert_eq!(*shown.lock().unwrap(), [(0, None), (1, None), (2, Some(ratio(7, 1)))]);
+    assert_eq!(*shown.lock().expect("no other test holds it"), [(0, None), (1, None), (2, Some(ratio(7, 1)))]);
 }
 
 /// HV-C5, HV-C5-start, HV-C2: what the rules of a d-step predictor are shown, counted: the transition into x_s the first s + 1 − d
@@ -261,11 +261,11 @@ fn rules_are_shown_what_a_predictor_may_know() {
                 observation_input: Some(Input { matrix: None, vector: g }),
             };
             let data = [1, 2, 3].map(|y| Observation::complete([ratio(y, 1)]));
-            let path = system.realised_ahead(&data, steps(d)).unwrap();
+            let path = system.realised_ahead(&data, steps(d)).expect("shapes that fit");
             // The last reading is y_2, so x_{2+d} is the last state.
             assert!(path.transition_into(2 + d).is_some() && path.transition_into(3 + d).is_none());
             let distinct = |log: &Arc<Mutex<Vec<usize>>>| {
-                let mut lengths = log.lock().unwrap().clone();
+                let mut lengths = log.lock().expect("no other test holds it").clone();
                 lengths.dedup();
                 lengths
             };

@@ -13,7 +13,7 @@ pub fn standard(m: i64) -> Vec<(Rational, Rational)> {
     let powers = Matrix::from_fn(count, count, |power, node| (0..power).fold(ratio(1, 1), |p, _| p * &nodes[node]));
     // (2j − 1)!! for the even powers 2j.
     let moment = |power: usize| match power % 2 {
-        0 => (1..power).step_by(2).fold(ratio(1, 1), |p, odd| p * ratio(i64::try_from(odd).unwrap(), 1)),
+        0 => (1..power).step_by(2).fold(ratio(1, 1), |p, odd| p * ratio(i64::try_from(odd).expect("a small power"), 1)),
         _ => ratio(0, 1),
     };
     let weights = powers.solve(&Matrix::column((0..count).map(moment).collect())).expect("distinct nodes");
@@ -24,7 +24,7 @@ pub fn standard(m: i64) -> Vec<(Rational, Rational)> {
 pub fn expected(dimension: usize, m: i64, mut f: impl FnMut(&[Rational]) -> Vec<Rational>) -> Vec<Rational> {
     let rule = standard(m);
     let mut sums: Vec<Rational> = Vec::new();
-    for place in 0..rule.len().pow(u32::try_from(dimension).unwrap()) {
+    for place in 0..rule.len().pow(u32::try_from(dimension).expect("few dimensions")) {
         let digits = (0..dimension).scan(place, |rest, _| {
             let digit = *rest % rule.len();
             *rest /= rule.len();

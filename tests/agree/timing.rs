@@ -132,9 +132,9 @@ fn ones(timing: Timing) -> System<Rational> {
 fn a_mistimed_cross_term_is_another_model() {
     let data = [3, 5].map(|y| Observation::complete([ratio(y, 1)]));
     let predicted = |timing| {
-        let path = ones(timing).realised(&data).unwrap();
-        let record = filter(&path).unwrap().records[1].predicted.clone();
-        let law = one_shot(&path).unwrap()[1].predicted.clone();
+        let path = ones(timing).realised(&data).expect("shapes that fit");
+        let record = filter(&path).expect("data as the system makes them").records[1].predicted.clone();
+        let law = one_shot(&path).expect("data as the system makes them")[1].predicted.clone();
         assert_eq!((law.mean(), law.covariance()), (&record.mean, &record.covariance));
         (record.mean[(0, 0)].clone(), record.covariance[(0, 0)].clone())
     };
@@ -149,8 +149,12 @@ fn contradictions_stay_where_they_are() {
     silent.noise = Noise::Factors { process: Matrix::identity(1).into(), observation: Matrix::zeros(1, 1).into() };
     for (data, step) in [([0, 1, 1], None), ([1, 0, 0], Some(0))] {
         let data = data.map(|y| Observation::complete([ratio(y, 1)]));
-        let path = silent.realised(&data).unwrap();
-        for path in [path.clone(), path.to_arriving().unwrap(), path.to_arriving().unwrap().to_departing()] {
+        let path = silent.realised(&data).expect("shapes that fit");
+        for path in [
+            path.clone(),
+            path.to_arriving().expect("rationals have pseudo-inverses"),
+            path.to_arriving().expect("rationals have pseudo-inverses").to_departing(),
+        ] {
             match (filter(&path), step) {
                 (Ok(_), None) => {}
                 (Err(FilterError { step, source: ConditionError::Inconsistent(_), .. }), Some(expected)) => {

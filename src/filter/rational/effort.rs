@@ -27,6 +27,10 @@ pub enum Wanted {
     Filtered,
 }
 
+/// The part of a limit on lengths that counts where fractions are kept in lowest terms: they cost so much more than integers
+/// that they may grow so much less.
+pub const FRACTIONS_PART: u64 = 16;
+
 /// How far the filter on exact rationals goes, and by which route.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Effort {

@@ -9,7 +9,7 @@
 //! a target: `P₊ = N₊ / (w u d₊)`, d₊ the last pivot. All divisions are exact: the k-minors of N are divisible by
 //! d^(k−1), since N is itself what an elimination with last pivot d has left (Sylvester's identity), and both
 //! terms of J keep that. The mean is one more column. What d has of the primes of u, which are
-//! those of the data's denominators, is moved from d to u and cancelled: no number grows faster than lowest terms do.
+//! those of the data's denominators, is moved from d to u and cancelled: numbers grow about as those in lowest terms do.
 //!
 //! Where states or sensors are several, the same elimination is done modulo many primes, and the integers follow from
 //! their remainders: see [`Route::Multimodular`].
@@ -30,7 +30,7 @@ mod step;
 
 use std::collections::BTreeMap;
 
-pub use effort::{Effort, Route, Wanted};
+pub use effort::{Effort, FRACTIONS_PART, Route, Wanted};
 use elimination::{Eliminated, Joint, Stop};
 pub use error::{RationalFilterError, StopReason};
 use laws::{Laws, StepLaws};
@@ -40,10 +40,10 @@ pub use step::{RationalStep, StepValues};
 
 use super::recursion::Recursion;
 use super::update::{Sensors, update};
-use crate::matrix::{Fractions, Matrix};
+use crate::matrix::Fractions;
 use crate::model::{Path, Step, Timing};
 use crate::scalar::Rational;
-use crate::trace::{Moments, Quantity, Record};
+use crate::trace::Quantity;
 
 /// Denominators with fewer bits than this are not worth a set of primes.
 const SHORTEST: u64 = 512;
@@ -140,13 +140,12 @@ impl<'a> RationalFilter<'a> {
         bits: u64,
         step: &Step<Rational>,
     ) -> Result<Option<RationalStep>, StopReason> {
-        // Fractions in lowest terms cost so much more than integers that they may grow so much less.
-        self.within(bits, 16)?;
+        self.within(bits, FRACTIONS_PART)?;
         start.advance(step)?;
         self.predicted_already = start.is_predicted();
         // A path has a transition wherever a later observation depends on it; without one the filter ends.
         let Some(record) = start.records.pop() else { return Ok(None) };
-        self.stage = Stage::Fractions(start, length(&record));
+        self.stage = Stage::Fractions(start, record.denominator_bits());
         Ok(Some(RationalStep::of(&record, self.effort.wanted)))
     }
 
@@ -264,11 +263,4 @@ fn reason(predicted: &State, step: &Step<Rational>, timing: Timing) -> StopReaso
         Err(reason) => reason.into(),
         Ok(_) => StopReason::NotSemidefinite,
     }
-}
-
-/// The length in bits of the longest denominator that goes on to the next step.
-fn length(record: &Record<Rational>) -> u64 {
-    let Moments { covariance, diffuse, .. } = &record.filtered;
-    let entries = covariance.entries().iter().chain(diffuse.iter().flat_map(Matrix::entries));
-    entries.map(|entry| entry.denom().bits()).max().unwrap_or(0)
 }

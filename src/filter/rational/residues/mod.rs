@@ -164,7 +164,8 @@ impl Residues {
             determined.integer(parts)
         });
         let mut integers = integers.into_iter();
-        let divisor = integers.next().unwrap_or_else(BigInt::one);
+        let divisor =
+            integers.next().expect("a bound of one bit asks for one prime, whose image has d′ as its first part");
         let n = shape.states;
         let states = (0..shape.targets).map(|_| {
             let mean = Matrix::column(integers.by_ref().take(n).collect());
