@@ -1,6 +1,8 @@
 //! The fast routes equal the recursion, value by value.
 
-use exact_kalman::filter::{Effort, RationalFilterError, Route, StepValues, StopReason, filter, filter_rational};
+use exact_kalman::filter::{
+    Effort, RationalFilterError, Route, StepValues, StopReason, Wanted, filter, filter_rational,
+};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, Path, System, Timing};
 use exact_kalman::scalar::{Precision, Rational, Scalar, ratio};
@@ -238,4 +240,26 @@ fn denominators_are_next_to_those_in_lowest_terms() {
             }
         }
     }
+}
+
+/// The recursion, which an indefinite start goes through, hands out no more than was asked for either.
+#[test]
+fn what_is_not_wanted_is_not_handed_out() {
+    for allow_indefinite in [false, true] {
+        let mut dense = Dense::new(small);
+        let mut system = dense.system(Timing::Arriving, 2, 1);
+        system.initial.allow_indefinite = allow_indefinite;
+        let path = system.realised(&[Observation::complete([ratio(1, 1)])]).expect("shapes that fit");
+        let effort = Effort { wanted: Wanted::Filtered, ..Effort::default() };
+        let steps = filter_rational(&path, effort).expect("noise on every sensor");
+        assert!(steps[0].values.keys().eq(&[Quantity::FilteredMean, Quantity::FilteredCovariance]));
+    }
+}
+
+/// Equal steps make equal paths, though an image is not known to be semidefinite.
+#[test]
+fn paths_are_equal_if_their_steps_are() {
+    let path = Dense::new(small).path_with_gaps(Timing::Departing, 3, None);
+    let image = path.try_map(|entry| Ok::<_, ()>(entry.clone())).expect("nothing fails");
+    assert_eq!(path, image);
 }
