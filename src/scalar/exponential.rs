@@ -7,8 +7,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::circle::{Signs, arctangent};
 use super::dyadic::Dyadic;
+use super::logarithm::logarithm_of_two;
 use super::{Interval, Rational};
 
 /// exp(x) lies beyond every exponent that is kept.
@@ -106,19 +106,6 @@ impl Interval {
     pub fn exponential(x: &Rational, bits: u64) -> Result<Self, Overflow> {
         Exponentials::new(bits).of(x)
     }
-}
-
-/// A lower bound of ln 2, less than two units of 2^−places away from it; in these units.
-///
-/// ln 2 = 18 artanh(1/26) − 2 artanh(1/4801) + 8 artanh(1/8749)
-fn logarithm_of_two(places: u64) -> BigInt {
-    let guard = u64::from(64 - places.leading_zeros()) + 11;
-    let part = |q| arctangent(q, places + guard, Signs::Equal);
-    let [(a, a_error), (b, b_error), (c, c_error)] = [26, 4801, 8749].map(part);
-    let (sum, error) = (a * 18_u8 - b * 2_u8 + c * 8_u8, a_error * 18 + b_error * 2 + c_error * 8);
-    // The errors, twice, are less than 20·(places + guard) + 1000 units of the finer place, which is less than 2^guard, and the
-    // shift loses less than one unit more.
-    (sum - error) >> guard
 }
 
 /// exp(r) for r = `fixed` · 2^−places, 0 ≤ r < 1, in the same units, and how many units it may be off.

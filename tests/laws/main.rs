@@ -5,6 +5,7 @@ mod common_divisor;
 mod fields;
 mod fractions;
 mod interval;
+mod logarithm;
 mod lowest_terms;
 mod modular;
 mod normal;
