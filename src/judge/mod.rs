@@ -18,6 +18,7 @@ mod digits;
 mod examinee;
 mod invariants;
 mod judgement;
+mod likelihood;
 mod limits;
 mod nearby;
 mod perturb;

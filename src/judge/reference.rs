@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use super::likelihood::LogLikelihood;
 use super::limits::maximal_bits;
 use super::perturb::{Perturbation, Readings};
 use super::scale::Largest;
@@ -65,6 +66,7 @@ impl Reference {
             }
         }
         let observed: Vec<Vec<usize>> = path.steps().iter().map(|step| step.reading.present()).collect();
+        LogLikelihood::default().insert_into(&mut steps);
         let ranks: Vec<usize> = steps.iter().map(|step| step.innovation_rank).collect();
         let singular = ranks.iter().zip(&observed).any(|(rank, observed)| *rank < observed.len());
         let values: Vec<_> = steps.into_iter().map(|step| step.values).collect();
@@ -130,6 +132,11 @@ impl Reference {
 /// depend on that.
 fn perturbed_answers(path: &Path<Rational>, readings: Readings) -> Vec<Vec<StepValues>> {
     let maximal_bits = effort(path).maximal_bits;
-    let solve = |seed: u64| nearby::answer(&Perturbation::seeded(seed, readings).of(path), maximal_bits);
+    let likelihood = LogLikelihood::default();
+    let solve = |seed: u64| {
+        let mut steps = nearby::answer(&Perturbation::seeded(seed, readings).of(path), maximal_bits);
+        likelihood.insert_into(&mut steps);
+        steps
+    };
     (0..DRAWS).into_par_iter().map(solve).collect()
 }

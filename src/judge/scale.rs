@@ -79,6 +79,8 @@ impl Largest {
             Quantity::Innovation | Quantity::InnovationCovariance => {
                 (Quantity::InnovationCovariance, observed, &self.sensors)
             }
+            // Its error is one of the likelihood's factor: a likelihood of 1 is nothing special.
+            Quantity::LogLikelihood => return Some(Scale(vec![Rational::one()])),
             // A gain is unique only where the innovation covariance is regular.
             _ => return None,
         };

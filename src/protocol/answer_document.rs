@@ -96,9 +96,6 @@ impl<'de> Deserialize<'de> for StepDocument {
     }
 }
 
-/// Accepted and not judged here.
-const LOG_LIKELIHOOD: &str = "log_likelihood";
-
 struct StepVisitor;
 
 impl<'de> Visitor<'de> for StepVisitor {
@@ -116,6 +113,9 @@ impl<'de> Visitor<'de> for StepVisitor {
             }
             let quantity = Quantity::ALL.into_iter().find(|quantity| quantity.name() == key);
             match quantity {
+                Some(name) if name.is_number() => {
+                    quantities.extend(map.next_value::<Option<_>>()?.map(|number| (name, Nested::Number(number))));
+                }
                 Some(name) if name.is_vector() => {
                     quantities.extend(map.next_value::<Option<_>>()?.map(|vector| (name, Nested::Vector(vector))));
                 }
@@ -123,11 +123,10 @@ impl<'de> Visitor<'de> for StepVisitor {
                     quantities.extend(map.next_value::<Option<_>>()?.map(|matrix| (name, Nested::Matrix(matrix))));
                 }
                 None if key == ahead_document::KEY => ahead = map.next_value::<Option<_>>()?.unwrap_or_default(),
-                None if key == LOG_LIKELIHOOD => drop(map.next_value::<Option<Leaf>>()?),
                 None => {
                     let names = Quantity::ALL.map(Quantity::name).join("`, `");
                     return Err(A::Error::custom(format_args!(
-                        "unknown key `{key}`, expected `{names}`, `{}` or `{LOG_LIKELIHOOD}`",
+                        "unknown key `{key}`, expected `{names}` or `{}`",
                         ahead_document::KEY
                     )));
                 }
@@ -138,10 +137,11 @@ impl<'de> Visitor<'de> for StepVisitor {
     }
 }
 
-/// A vector or a matrix of literals.
+/// A literal, or a vector or matrix of them.
 #[derive(Serialize)]
 #[serde(untagged)]
 pub(super) enum Nested {
+    Number(Leaf),
     Vector(Vec<Leaf>),
     Matrix(Vec<Vec<Leaf>>),
 }
@@ -150,6 +150,9 @@ impl Nested {
     /// The literals of a matrix.
     pub(super) fn of<T: AnswerNumber>(name: Quantity, matrix: &Matrix<T>) -> Self {
         let leaf = |entry: &T| Leaf::Text(entry.literal());
+        if let (true, [number]) = (name.is_number(), matrix.entries()) {
+            return Self::Number(leaf(number));
+        }
         if name.is_vector() {
             return Self::Vector(matrix.entries().iter().map(leaf).collect());
         }
@@ -159,6 +162,7 @@ impl Nested {
     fn value(&self, numbers: Numbers) -> Result<Matrix<Number>, Fault> {
         let entries = |row: &[Leaf]| indexed(row, |leaf| leaf.value(numbers));
         match self {
+            Self::Number(leaf) => Ok(Matrix::column(vec![leaf.value(numbers)?])),
             Self::Vector(vector) => entries(vector).map(Matrix::column),
             Self::Matrix(rows) => Matrix::from_rows(indexed(rows, |row| entries(row))?).map_err(Fault::ragged),
         }

@@ -23,11 +23,14 @@ pub enum Quantity {
     InnovationCovariance,
     /// The gain of the filtered mean with the pseudo-inverse, one column per observed entry.
     Gain,
+    /// ln p(y_k | y_0, …, y_{k−1}), 1×1: `−½ (νᵀS⁻¹ν + ln det S + m ln 2π)` for the m observed entries; only where S is
+    /// regular. It is irrational, so the exact filter gives its parts, and the judge an enclosure.
+    LogLikelihood,
 }
 
 impl Quantity {
     /// Every quantity, in order.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::FilteredMean,
         Self::FilteredCovariance,
         Self::PredictedMean,
@@ -35,6 +38,7 @@ impl Quantity {
         Self::Innovation,
         Self::InnovationCovariance,
         Self::Gain,
+        Self::LogLikelihood,
     ];
 
     /// The name in the protocol: words, joined by underscores.
@@ -47,12 +51,18 @@ impl Quantity {
             Self::Innovation => "innovation",
             Self::InnovationCovariance => "innovation_covariance",
             Self::Gain => "gain",
+            Self::LogLikelihood => "log_likelihood",
         }
+    }
+
+    /// Whether it is a single number.
+    pub const fn is_number(self) -> bool {
+        matches!(self, Self::LogLikelihood)
     }
 
     /// Whether it is a column.
     pub const fn is_vector(self) -> bool {
-        matches!(self, Self::FilteredMean | Self::PredictedMean | Self::Innovation)
+        matches!(self, Self::FilteredMean | Self::PredictedMean | Self::Innovation | Self::LogLikelihood)
     }
 
     /// Whether it is a covariance: symmetric and positive semidefinite.
