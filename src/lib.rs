@@ -60,6 +60,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod certify;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod filter;

@@ -95,6 +95,11 @@ impl Dyadic {
         })
     }
 
+    /// The odd mantissa and the exponent; zeros for zero.
+    pub fn parts(&self) -> (&BigInt, i64) {
+        (&self.mantissa, self.exponent)
+    }
+
     /// The e with 2^(e−1) ≤ |x| < 2^e; nothing for zero.
     pub fn magnitude(&self) -> Option<i64> {
         (!self.is_zero()).then(|| i64::try_from(self.size()).unwrap_or(i64::MAX))

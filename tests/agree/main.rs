@@ -5,6 +5,7 @@ mod averages;
 mod bayes;
 mod bayes_digits;
 mod beyond;
+mod certified;
 mod diffuse;
 mod draws;
 mod feedback;

@@ -1,0 +1,148 @@
+//! An enclosed belief.
+
+use num_bigint::BigInt;
+use num_traits::One;
+
+use super::dyadics::Dyadics;
+use super::grid::{BOUND_BITS, rounded, scale};
+use crate::matrix::Matrix;
+use crate::scalar::{Dyadic, Interval, Rational, Toward};
+
+/// A belief with mean x̂ and covariance P, of which is known
+///
+/// > `−W ≤ P − P̃ ≤ W` and `(x̂ − x̃)(x̂ − x̃)ᵀ ≤ E`
+///
+/// in the order of Loewner. P̃ need not be positive semidefinite, and P need not be regular.
+#[derive(Clone, Debug)]
+pub(super) struct Enclosed {
+    /// P̃
+    pub(super) covariance: Dyadics,
+    /// W
+    pub(super) gap: Dyadics,
+    /// x̃
+    pub(super) mean: Dyadics,
+    /// E
+    pub(super) ellipsoid: Dyadics,
+}
+
+impl Enclosed {
+    /// A belief that is known exactly, rounded to so many bits.
+    pub(super) fn of(mean: &Matrix<Rational>, covariance: &Matrix<Rational>, bits: u64) -> Self {
+        let n = covariance.rows();
+        let odd = |matrix: &Matrix<Rational>| super::dyadics::odd_denominator(BigInt::one(), matrix.entries());
+        let exact = {
+            let odd = odd(covariance);
+            (Dyadics::of(covariance, &odd), odd)
+        };
+        let scales: Vec<Option<i64>> =
+            (0..n).map(|i| scale(&Dyadic::rounded(&covariance[(i, i)], BOUND_BITS, Toward::Above))).collect();
+        let (covariance, pad) = rounded(&exact.0, &exact.1, &scales, bits);
+        let mean_odd = odd(mean);
+        let (mean, errors) = rounded_mean(&Dyadics::of(mean, &mean_odd), &mean_odd, &scales, bits);
+        Self { covariance, gap: diagonal(&pad), ellipsoid: ellipsoid_of(&errors), mean }
+    }
+
+    /// The variance by which units are chosen: that of P̃, or W where it is none.
+    pub(super) fn scales(covariance: &[Dyadic], gap: &[Dyadic]) -> Vec<Option<i64>> {
+        let larger = covariance.iter().zip(gap).map(|(variance, gap)| variance.max(gap));
+        larger.map(|variance| if variance.is_negative() { None } else { scale(variance) }).collect()
+    }
+
+    /// Each entry of the covariance.
+    pub(super) fn covariance_intervals(&self, bits: u64) -> Matrix<Interval> {
+        intervals(&self.covariance, &self.gap, bits)
+    }
+
+    /// Each entry of the mean.
+    pub(super) fn mean_intervals(&self, bits: u64) -> Matrix<Interval> {
+        column(&self.mean, &BigInt::one(), &self.ellipsoid, bits)
+    }
+}
+
+/// Entries of a symmetric matrix that lies between ± a gap: `|zᵢⱼ| ≤ √(wᵢᵢ wⱼⱼ)`.
+pub(super) fn intervals(matrix: &Dyadics, gap: &Dyadics, bits: u64) -> Matrix<Interval> {
+    let diagonal = gap.diagonal();
+    Matrix::from_fn(matrix.rows(), matrix.rows(), |i, j| {
+        let radius = if i == j {
+            diagonal[i].clone()
+        } else {
+            root(&diagonal[i].times(&diagonal[j], BOUND_BITS, Toward::Above))
+        };
+        around(&matrix.entry(i, j), &radius, bits)
+    })
+}
+
+/// Entries of a vector over an odd integer whose error e has `e eᵀ ≤ E`: `|eᵢ| ≤ √Eᵢᵢ`.
+pub(super) fn column(vector: &Dyadics, odd: &BigInt, ellipsoid: &Dyadics, bits: u64) -> Matrix<Interval> {
+    let odd = Dyadic::new(odd.clone(), 0);
+    Matrix::from_fn(vector.rows(), 1, |i, _| {
+        let radius = root(&ellipsoid.entry(i, i));
+        let middle = vector.entry(i, 0);
+        let end = |toward| middle.over(&odd, bits, toward).unwrap_or_else(Dyadic::zero);
+        Interval::between(
+            end(Toward::Below).plus(&radius.negated(), bits, Toward::Below),
+            end(Toward::Above).plus(&radius, bits, Toward::Above),
+        )
+    })
+}
+
+/// What is at most so far from a number.
+pub(super) fn around(middle: &Dyadic, radius: &Dyadic, bits: u64) -> Interval {
+    let bits = bits + BOUND_BITS;
+    Interval::between(middle.plus(&radius.negated(), bits, Toward::Below), middle.plus(radius, bits, Toward::Above))
+}
+
+/// An upper bound of the root of a nonnegative number.
+pub(super) fn root(square: &Dyadic) -> Dyadic {
+    let (mantissa, exponent) = square.parts();
+    // An even exponent, and enough bits.
+    let length = i64::try_from(mantissa.bits()).unwrap_or(i64::MAX);
+    let shift = (2 * i64::try_from(BOUND_BITS).unwrap_or(0) - length).max(0);
+    let shift = shift + (exponent - shift).rem_euclid(2);
+    let lifted = mantissa << shift;
+    let root = lifted.sqrt();
+    let root = if &root * &root == lifted { root } else { root + 1_u8 };
+    Dyadic::new(root, (exponent - shift) / 2).shortened(BOUND_BITS, Toward::Above)
+}
+
+/// A diagonal matrix.
+pub(super) fn diagonal(entries: &[Dyadic]) -> Dyadics {
+    let least = entries.iter().filter(|entry| !entry.is_zero()).map(|entry| entry.parts().1).min().unwrap_or(0);
+    let mantissa = |entry: &Dyadic| {
+        let (mantissa, exponent) = entry.parts();
+        mantissa << (exponent - least).max(0)
+    };
+    let mantissas = Matrix::diagonal(&entries.iter().map(mantissa).collect::<Vec<_>>());
+    Dyadics { mantissas, exponent: least }
+}
+
+/// A vector over an odd integer rounded to `bits` bits of the larger of its entries and of the scales; and how far each entry
+/// may have moved.
+pub(super) fn rounded_mean(exact: &Dyadics, odd: &BigInt, scales: &[Option<i64>], bits: u64) -> (Dyadics, Vec<Dyadic>) {
+    let bits = i64::try_from(bits).unwrap_or(i64::MAX);
+    let units: Vec<i64> = scales
+        .iter()
+        .enumerate()
+        .map(|(i, scale)| {
+            let own = exact.entry(i, 0).magnitude().map(|size| size - i64::try_from(odd.bits()).unwrap_or(0));
+            scale.or(own).unwrap_or(0) - bits
+        })
+        .collect();
+    let least = units.iter().copied().min().unwrap_or(0);
+    let mut errors = Vec::with_capacity(units.len());
+    let mantissas = Matrix::from_fn(exact.rows(), 1, |i, _| {
+        let (mantissa, is_exact) = super::grid::nearest(&exact.mantissas[(i, 0)], exact.exponent - units[i], odd);
+        errors.push(if is_exact { Dyadic::zero() } else { Dyadic::new(BigInt::one(), units[i] - 1) });
+        mantissa << (units[i] - least)
+    });
+    (Dyadics { mantissas, exponent: least }, errors)
+}
+
+/// E with `e eᵀ ≤ E` for all e whose entries are bounded: `(Σ vᵢ eᵢ)² ≤ n Σ vᵢ² eᵢ²`, n the number of those that are not zero.
+pub(super) fn ellipsoid_of(errors: &[Dyadic]) -> Dyadics {
+    let count = errors.iter().filter(|error| !error.is_zero()).count();
+    let count = Dyadic::new(count.into(), 0);
+    let square =
+        |error: &Dyadic| error.times(error, BOUND_BITS, Toward::Above).times(&count, BOUND_BITS, Toward::Above);
+    diagonal(&errors.iter().map(square).collect::<Vec<_>>())
+}

@@ -1,0 +1,143 @@
+//! The filter whose results are enclosed.
+
+use super::enclosed::Enclosed;
+use super::innovation::Innovation;
+use super::law::{Law, have_one_law};
+use super::{Undecided, target};
+use crate::matrix::Matrix;
+use crate::model::{Before, Path, Step, Timing};
+use crate::scalar::{Interval, Rational};
+use crate::trace::{Quantity, Values};
+
+/// The results of one step: each entry lies in its interval.
+#[derive(Clone, Debug)]
+pub struct CertifiedStep {
+    /// The named values, all but the gain.
+    pub values: Values<Interval>,
+}
+
+/// The filter along a path, one step at a time, with a fixed number of bits.
+///
+/// It ends with the path, or where the covariance of an innovation may be singular.
+///
+/// # Examples
+///
+/// ```
+/// use exact_kalman::certify::CertifiedFilter;
+/// use exact_kalman::matrix::Matrix;
+/// use exact_kalman::model::{Before, Initial, Noise, Observation, System, Timing};
+/// use exact_kalman::scalar::{ratio, Rational};
+/// use exact_kalman::trace::Quantity;
+///
+/// let one = Matrix::<Rational>::identity(1);
+/// let walk = System {
+///     timing: Timing::Departing,
+///     initial: Initial::new(Before::Observation, Matrix::zeros(1, 1), one.clone()),
+///     transition: one.clone().into(),
+///     observation: one.clone().into(),
+///     noise: Noise::Covariances { process: one.clone().into(), cross: None, observation: one.into() },
+///     input: None,
+///     observation_input: None,
+/// };
+/// let path = walk.realised(&vec![Observation::complete([ratio(1, 1)]); 1000])?;
+/// let last = CertifiedFilter::new(&path, 128).last().ok_or("no step")??;
+/// let variance = &last.values[&Quantity::FilteredCovariance][(0, 0)];
+/// // The variance tends to the golden section: p = (√5 − 1)/2 solves p = (p + 1)/(p + 2).
+/// let p = variance.lower().value().ok_or("long")?;
+/// let defect = &p * &p + &p - ratio(1, 1);
+/// assert!(defect < ratio(1, 1 << 62).pow(2) && defect > -ratio(1, 1 << 62).pow(2));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct CertifiedFilter<'a> {
+    path: &'a Path<Rational>,
+    bits: u64,
+    belief: Option<Enclosed>,
+    law: Option<(&'a Step<Rational>, bool, Law)>,
+    done: usize,
+}
+
+impl<'a> CertifiedFilter<'a> {
+    /// The filter before the first step of a path. A diffuse start is undecided.
+    pub fn new(path: &'a Path<Rational>, bits: u64) -> Self {
+        let initial = path.initial();
+        let is_diffuse = initial.diffuse.iter().any(|part| !part.is_zero());
+        let belief = (!is_diffuse).then(|| Enclosed::of(&initial.mean, &initial.covariance, bits));
+        Self { path, bits, belief, law: None, done: 0 }
+    }
+
+    /// The filter in the middle of a path, before the step with this number, from the exact law of the state with which that
+    /// step begins: predicted where transitions depart, else filtered.
+    pub(crate) fn resumed(
+        path: &'a Path<Rational>,
+        done: usize,
+        (mean, covariance): (&Matrix<Rational>, &Matrix<Rational>),
+        bits: u64,
+    ) -> Self {
+        Self { path, bits, belief: Some(Enclosed::of(mean, covariance, bits)), law: None, done }
+    }
+
+    fn advance(&mut self, step: &'a Step<Rational>, belief: &Enclosed) -> Result<(CertifiedStep, Enclosed), Undecided> {
+        let timing = self.path.timing();
+        let arrives = timing == Timing::Arriving
+            && step.transition.is_some()
+            && (self.done > 0 || self.path.initial().before == Before::Transition);
+        let law = match self.law.take() {
+            Some((last, alike, law)) if alike == arrives && have_one_law(last, step) => law,
+            _ => Law::of(step, timing, arrives),
+        };
+        let law = &self.law.insert((step, arrives, law)).2;
+        let (data, bits) = (law.data(step, arrives), self.bits);
+        let mut values = Values::new();
+        let mut insert = |mean, covariance, belief: &Enclosed| {
+            values.insert(mean, belief.mean_intervals(bits));
+            values.insert(covariance, belief.covariance_intervals(bits));
+        };
+        let predicted = law.predicted.as_ref().map(|arriving| target::moved(belief, law, &data, arriving, bits));
+        insert(Quantity::PredictedMean, Quantity::PredictedCovariance, predicted.as_ref().unwrap_or(belief));
+        let is_read = law.observation.rows() > 0;
+        let (filtered, ahead) = if is_read {
+            let innovation = Innovation::of(belief, law, &data, bits)?;
+            let updated = |target| target::updated(belief, law, &data, target, &innovation, bits);
+            let targets = (updated(&law.filtered), law.ahead.as_ref().map(updated));
+            let value = innovation.value_intervals(belief, law, &data, bits);
+            let covariance = innovation.covariance_intervals(belief, law, bits);
+            insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
+            values.insert(Quantity::Innovation, value);
+            values.insert(Quantity::InnovationCovariance, covariance);
+            targets
+        } else {
+            let moved = |target| target::moved(belief, law, &data, target, bits);
+            let targets = (moved(&law.filtered), law.ahead.as_ref().map(moved));
+            insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
+            targets
+        };
+        Ok((CertifiedStep { values }, ahead.unwrap_or(filtered)))
+    }
+}
+
+impl Iterator for CertifiedFilter<'_> {
+    type Item = Result<CertifiedStep, Undecided>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let path = self.path;
+        let step = path.steps().get(self.done)?;
+        let Some(belief) = self.belief.take() else {
+            // A diffuse start; afterwards the end.
+            let is_first = self.done == 0;
+            self.done = path.steps().len();
+            return is_first.then_some(Err(Undecided));
+        };
+        match self.advance(step, &belief) {
+            Ok((results, next)) => {
+                self.belief = Some(next);
+                self.done += 1;
+                Some(Ok(results))
+            }
+            Err(undecided) => {
+                self.done = path.steps().len();
+                Some(Err(undecided))
+            }
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What a reading says, enclosed: the covariance of the innovation is regular, and how far from what was computed.
+
+use num_bigint::BigInt;
+use num_traits::{One, Signed, Zero};
+
+use super::Undecided;
+use super::dyadics::Dyadics;
+use super::enclosed::{Enclosed, column, intervals};
+use super::grid::BOUND_BITS;
+use super::law::{Data, Law};
+use super::whitening::whitening;
+use crate::matrix::Matrix;
+use crate::scalar::{Dyadic, Interval, Rational, Toward, ratio};
+
+/// Σ̃ = H P̃ Hᵀ + R and a T with T Σ̃ Tᵀ ≈ I.
+///
+/// With `η ≥ ‖TΣ̃Tᵀ − I‖∞`, `w ≥ tr(T H W Hᵀ Tᵀ)` and κ = 1 − η − w > 0 every P with −W ≤ P − P̃ ≤ W has
+/// T Σ Tᵀ ≥ κ I, so Σ is regular and Σ⁻¹ ≤ TᵀT/κ.
+#[derive(Clone, Debug)]
+pub(super) struct Innovation {
+    /// P̃ Hᵀ, over e.
+    pub(super) seen_covariance: Dyadics,
+    /// Σ̃, over w = e² l.
+    pub(super) covariance: Dyadics,
+    /// T
+    pub(super) whitening: Dyadics,
+    /// 1/κ, or more.
+    pub(super) inverse_kappa: Dyadic,
+    /// w
+    pub(super) spread: Dyadic,
+    /// ν̃ = y − c − H x̃, over o.
+    pub(super) value: Dyadics,
+    /// τ² ≥ νᵀ Σ⁻¹ ν for every P and x̂ that are enclosed.
+    pub(super) square: Dyadic,
+}
+
+/// `2⁻¹⁰`: (a + b)² ≤ (1 + 2⁻¹⁰) a² + (1 + 2¹⁰) b².
+const SLIGHT: u32 = 10;
+
+pub(super) fn above(value: &Rational) -> Dyadic {
+    Dyadic::rounded(value, BOUND_BITS, Toward::Above)
+}
+
+pub(super) fn product(a: &Dyadic, b: &Dyadic) -> Dyadic {
+    a.times(b, BOUND_BITS, Toward::Above)
+}
+
+pub(super) fn sum(a: &Dyadic, b: &Dyadic) -> Dyadic {
+    a.plus(b, BOUND_BITS, Toward::Above)
+}
+
+/// `a / d^power` for a positive integer d.
+pub(super) fn over(a: &Dyadic, divisor: &BigInt, power: u32) -> Dyadic {
+    if divisor.is_one() {
+        return a.clone();
+    }
+    let divisor = Dyadic::new(divisor.pow(power), 0);
+    a.over(&divisor, BOUND_BITS, Toward::Above).unwrap_or_else(Dyadic::zero)
+}
+
+impl Innovation {
+    /// The innovation of a belief under a law.
+    ///
+    /// # Errors
+    ///
+    /// [`Undecided`] unless κ ≥ 1/4: Σ is singular, or too near to it for so many bits.
+    pub(super) fn of(belief: &Enclosed, law: &Law, data: &Data, bits: u64) -> Result<Self, Undecided> {
+        let h = &law.observation;
+        let seen_covariance = belief.covariance.times(&h.transposed());
+        let covariance = h.times(&seen_covariance).scaled(&law.lift).plus(&law.noise);
+        let t = whitening(&covariance, &law.noise_odd, bits).ok_or(Undecided)?;
+        let eta = over(&largest_row_sum(&excess(&t.congruence(&covariance), &law.noise_odd)), &law.noise_odd, 1);
+        let through = t.times(h);
+        let spread = over(&through.congruence(&belief.gap).trace(), &law.odd, 2).shortened(BOUND_BITS, Toward::Above);
+        let kappa = Dyadic::one().plus(&sum(&eta, &spread).negated(), BOUND_BITS, Toward::Below);
+        if kappa < above(&ratio(1, 4)) {
+            return Err(Undecided);
+        }
+        let inverse_kappa = Dyadic::one().over(&kappa, BOUND_BITS, Toward::Above).ok_or(Undecided)?;
+        let value = data.seen.minus(&h.times(&belief.mean).scaled(&data.lift));
+        let known = over(&t.times(&value).squared_norm(), &data.odd, 2);
+        let unknown = over(&through.congruence(&belief.ellipsoid).trace(), &law.odd, 2);
+        let slight = ratio(1, 1 << SLIGHT);
+        let square = sum(
+            &product(&known, &above(&(ratio(1, 1) + &slight))),
+            &product(&unknown, &above(&(ratio(1, 1) + slight.recip()))),
+        );
+        let square = product(&square, &inverse_kappa);
+        Ok(Self { seen_covariance, covariance, whitening: t, inverse_kappa, spread, value, square })
+    }
+
+    /// Each entry of Σ: `−HWHᵀ ≤ Σ − Σ̃ ≤ HWHᵀ`.
+    pub(super) fn covariance_intervals(&self, belief: &Enclosed, law: &Law, bits: u64) -> Matrix<Interval> {
+        let gap = law.observation.congruence(&belief.gap).scaled(&law.lift);
+        let odd = Interval::between(whole(&law.noise_odd), whole(&law.noise_odd));
+        let entry = |entry: &Interval| entry.over(&odd, bits + BOUND_BITS).unwrap_or_else(|_| unreachable!("odd"));
+        intervals(&self.covariance, &gap, bits).map(entry)
+    }
+
+    /// Each entry of ν: `|νⱼ − ν̃ⱼ| ≤ √(HEHᵀ)ⱼⱼ`.
+    pub(super) fn value_intervals(&self, belief: &Enclosed, law: &Law, data: &Data, bits: u64) -> Matrix<Interval> {
+        let unknown = law.observation.congruence(&belief.ellipsoid);
+        let unknown = if law.odd.is_one() {
+            unknown
+        } else {
+            let entries: Vec<Dyadic> = unknown.diagonal().iter().map(|entry| over(entry, &law.odd, 2)).collect();
+            super::enclosed::diagonal(&entries)
+        };
+        column(&self.value, &data.odd, &unknown, bits)
+    }
+}
+
+fn whole(integer: &BigInt) -> Dyadic {
+    Dyadic::new(integer.clone(), 0)
+}
+
+/// A symmetric matrix less d I.
+fn excess(matrix: &Dyadics, d: &BigInt) -> Dyadics {
+    let identity = Dyadics { mantissas: Matrix::identity(matrix.rows()), exponent: 0 };
+    matrix.minus(&identity.scaled(d))
+}
+
+/// The largest sum of the magnitudes of a row.
+fn largest_row_sum(matrix: &Dyadics) -> Dyadic {
+    let rows = (0..matrix.rows()).map(|i| matrix.mantissas.row(i));
+    let sums = rows.map(|row| row.iter().fold(BigInt::zero(), |sum, entry| sum + entry.abs()));
+    Dyadic::new(sums.max().unwrap_or_default(), matrix.exponent)
+}

@@ -1,0 +1,178 @@
+//! One step in one form for both timings: what is read and where the state goes, as affine images of the state before.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::One;
+
+use super::dyadics::{Dyadics, odd_denominator};
+use crate::matrix::Matrix;
+use crate::model::{Step, Timing, Transition};
+use crate::scalar::Rational;
+
+/// `z = A x + b + w` with cov(w) = Q and, with the noise of what is read, S.
+#[derive(Clone, Debug)]
+pub(super) struct Target {
+    /// A, over e.
+    pub(super) map: Dyadics,
+    /// Q, over w.
+    pub(super) noise: Dyadics,
+    /// S, over w.
+    pub(super) cross: Dyadics,
+    /// Which exact input belongs to it.
+    pub(super) input: Input,
+}
+
+/// Where b comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Input {
+    None,
+    Transition,
+}
+
+/// `y = H x + c + v` with cov(v) = R, and the targets that are wanted beside it. All that is not dyadic stands over odd integers:
+/// maps over e, covariances over w = e² l.
+#[derive(Clone, Debug)]
+pub(super) struct Law {
+    pub(super) odd: BigInt,
+    pub(super) lift: BigInt,
+    pub(super) noise_odd: BigInt,
+    /// H, over e; no rows where nothing is read.
+    pub(super) observation: Dyadics,
+    /// R, over w.
+    pub(super) noise: Dyadics,
+    /// The state before the reading, if it is not the one that is carried.
+    pub(super) predicted: Option<Target>,
+    /// The state given the reading.
+    pub(super) filtered: Target,
+    /// The state after the departing transition, given the reading.
+    pub(super) ahead: Option<Target>,
+}
+
+/// A target in fractions.
+struct Exact {
+    map: Matrix<Rational>,
+    noise: Matrix<Rational>,
+    cross: Matrix<Rational>,
+    input: Input,
+}
+
+/// What differs from step to step though the law does not: over one odd integer, a multiple of e.
+#[derive(Clone, Debug)]
+pub(super) struct Data {
+    pub(super) odd: BigInt,
+    /// o/e
+    pub(super) lift: BigInt,
+    /// y − c, and for the arriving timing − C b.
+    pub(super) seen: Dyadics,
+    /// b of the transition.
+    pub(super) input: Option<Dyadics>,
+}
+
+impl Law {
+    /// The law of a step; `arrives` if its transition leads to the state that is read and is still to be made.
+    pub(super) fn of(step: &Step<Rational>, timing: Timing, arrives: bool) -> Self {
+        let observed = step.reading.present();
+        let c = step.observation.select_rows(&observed);
+        let r = step.observation_noise.select(&observed, &observed);
+        let (n, m) = (c.columns(), observed.len());
+        let shared = |transition: &Transition<Rational>| transition.cross_noise.select_columns(&observed);
+        let stays = |cross: Matrix<Rational>| Exact {
+            map: Matrix::identity(n),
+            noise: Matrix::zeros(n, n),
+            cross,
+            input: Input::None,
+        };
+        let moves = |transition: &Transition<Rational>, cross: Matrix<Rational>| Exact {
+            map: transition.matrix.clone(),
+            noise: transition.noise.clone(),
+            cross,
+            input: Input::Transition,
+        };
+        match (&step.transition, timing) {
+            (Some(transition), Timing::Arriving) if arrives => {
+                let (q, s) = (&transition.noise, shared(transition));
+                let cross = q * c.transpose() + &s;
+                let mixed = &c * &s;
+                let noise = r + c.congruence(q) + &mixed + mixed.transpose();
+                let predicted = moves(transition, Matrix::zeros(n, m));
+                Self::over(&(&c * &transition.matrix), &noise, Some(predicted), moves(transition, cross), None)
+            }
+            (Some(transition), Timing::Departing) => {
+                let ahead = moves(transition, shared(transition));
+                Self::over(&c, &r, None, stays(Matrix::zeros(n, m)), Some(ahead))
+            }
+            (transition, _) => {
+                // The noise of y_0 may be shared with x_0 in the arriving timing.
+                let cross = match transition {
+                    Some(transition) if timing == Timing::Arriving => shared(transition),
+                    _ => Matrix::zeros(n, m),
+                };
+                let mixed = &c * &cross;
+                let noise = r + &mixed + mixed.transpose();
+                Self::over(&c, &noise, None, stays(cross), None)
+            }
+        }
+    }
+
+    fn over(
+        observation: &Matrix<Rational>,
+        noise: &Matrix<Rational>,
+        predicted: Option<Exact>,
+        filtered: Exact,
+        ahead: Option<Exact>,
+    ) -> Self {
+        let targets = || predicted.iter().chain([&filtered]).chain(&ahead);
+        let maps = targets().map(|target| &target.map).chain([observation]);
+        let odd = maps.fold(BigInt::one(), |odd, map| odd_denominator(odd, map.entries()));
+        let square = &odd * &odd;
+        let noises = targets().flat_map(|target| [&target.noise, &target.cross]).chain([noise]);
+        let noise_odd = noises.fold(square.clone(), |odd, noise| odd_denominator(odd, noise.entries()));
+        let target = |exact: &Exact| Target {
+            map: Dyadics::of(&exact.map, &odd),
+            noise: Dyadics::of(&exact.noise, &noise_odd),
+            cross: Dyadics::of(&exact.cross, &noise_odd),
+            input: exact.input,
+        };
+        Self {
+            observation: Dyadics::of(observation, &odd),
+            noise: Dyadics::of(noise, &noise_odd),
+            predicted: predicted.as_ref().map(target),
+            filtered: target(&filtered),
+            ahead: ahead.as_ref().map(target),
+            lift: &noise_odd / square,
+            odd,
+            noise_odd,
+        }
+    }
+
+    /// The reading and the inputs of a step with this law.
+    pub(super) fn data(&self, step: &Step<Rational>, arrives: bool) -> Data {
+        let observed = step.reading.present();
+        let mut seen = step.reading.values() - step.observation_input.select_rows(&observed);
+        let input = step.transition.as_ref().map(|transition| &transition.input);
+        if let Some(input) = input.filter(|_| arrives) {
+            seen = seen - step.observation.select_rows(&observed) * input;
+        }
+        let entries = seen.entries().iter().chain(input.into_iter().flat_map(Matrix::entries));
+        let odd = odd_denominator(self.odd.clone(), entries);
+        Data {
+            seen: Dyadics::of(&seen, &odd),
+            input: input.map(|input| Dyadics::of(input, &odd)),
+            lift: odd.div_floor(&self.odd),
+            odd,
+        }
+    }
+}
+
+/// Whether two steps have the same law: they differ in their readings and inputs alone.
+pub(super) fn have_one_law(one: &Step<Rational>, other: &Step<Rational>) -> bool {
+    let transitions = match (&one.transition, &other.transition) {
+        (Some(a), Some(b)) => a.matrix == b.matrix && a.noise == b.noise && a.cross_noise == b.cross_noise,
+        (None, None) => true,
+        _ => false,
+    };
+    transitions
+        && one.observation == other.observation
+        && one.observation_noise == other.observation_noise
+        && one.reading.present() == other.reading.present()
+}

@@ -1,0 +1,21 @@
+//! Floor 4 · Enclosures: proved digits at a cost that grows with the number of steps, and not with its square.
+//!
+//! Exact fractions lengthen with every step. Here a step keeps a covariance P̃ and a mean x̃ of a fixed number of bits, and
+//! bounds in the order of Loewner for how far the exact ones may be from them. All arithmetic is on integers; no floating
+//! point is trusted, and no inverse of P is taken, so P may be singular.
+
+mod dyadics;
+mod enclosed;
+mod filter;
+mod grid;
+mod innovation;
+mod law;
+mod target;
+mod whitening;
+
+pub use filter::{CertifiedFilter, CertifiedStep};
+
+/// The covariance of an innovation is singular, or too near to it for the bits that were given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the covariance of the innovation may be singular: not decided with so many bits")]
+pub struct Undecided;

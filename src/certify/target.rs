@@ -1,0 +1,134 @@
+//! The state after a step, enclosed.
+//!
+//! For any gain K̃, with `G = A − K̃H`, `ρ = K̃Σ̃ − Γ̃` and `J = G P̃ Gᵀ + [I −K̃] M [I −K̃]ᵀ` (the form of Joseph) at P̃:
+//!
+//! > `φ(P) = J + G (P − P̃) Gᵀ − Δ`, `0 ≤ Δ ≤ (2/κ) (ρTᵀTρᵀ + w GWGᵀ)`
+//!
+//! since φ(P) is the least of all such forms at P, and Δ = (K̃ − K) Σ (K̃ − K)ᵀ. Hence
+//!
+//! > `−W₊ ≤ φ(P) − J ≤ W₊ = (1 + 2w/κ) GWGᵀ + (2/κ) ρTᵀTρᵀ`
+//!
+//! The mean: x̂₊ − (A x̃ + b + K̃ν̃) = G e + (K − K̃)ν with e = x̂ − x̃, and the last term is a part in ρ and a part in GWGᵀ, each
+//! at most τ² times what bounds Δ.
+
+use num_bigint::BigInt;
+use num_traits::One;
+
+use super::dyadics::Dyadics;
+use super::enclosed::{Enclosed, ellipsoid_of, rounded_mean};
+use super::grid::{BOUND_BITS, nearest, rounded, scale, up};
+use super::innovation::{Innovation, above, over, product, sum};
+use super::law::{Data, Input, Law, Target};
+use crate::matrix::Matrix;
+use crate::scalar::{Dyadic, Toward, ratio};
+
+/// Bits of W and E.
+const GAP_BITS: u64 = 40;
+
+/// Bits of the gain beyond those of the state: its defect enters the mean linearly.
+const GUARD: u64 = 16;
+
+/// The law of a target given the reading.
+pub(super) fn updated(
+    belief: &Enclosed,
+    law: &Law,
+    data: &Data,
+    target: &Target,
+    innovation: &Innovation,
+    bits: u64,
+) -> Enclosed {
+    let a = &target.map;
+    // All over w: Γ̃ = A P̃ Hᵀ + S, and A P̃ Aᵀ + Q.
+    let gamma = a.times(&innovation.seen_covariance).scaled(&law.lift).plus(&target.cross);
+    let prior = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
+    let gain = gain(&gamma, &prior, innovation, &law.noise_odd, bits);
+    let defect = gain.times(&innovation.covariance).minus(&gamma);
+    // A P̃ Aᵀ + Q − Γ̃K̃ᵀ − K̃Γ̃ᵀ + K̃Σ̃K̃ᵀ
+    let joseph = prior.minus(&gamma.times(&gain.transposed())).plus(&gain.times(&defect.transposed()));
+    let closed = a.minus(&gain.times(&law.observation));
+    let kept = closed.congruence(&belief.gap);
+    let missed = defect.times(&innovation.whitening.transposed()).square();
+    let two = above(&ratio(2, 1));
+    let second = product(&two, &innovation.inverse_kappa);
+    let first = sum(&Dyadic::one(), &product(&second, &innovation.spread));
+    let gap = kept.multiple(&over(&first, &law.odd, 2)).plus(&missed.multiple(&over(&second, &law.noise_odd, 2)));
+    let scales = Enclosed::scales(&over_each(joseph.diagonal(), &law.noise_odd), &gap.diagonal());
+    let (covariance, pad) = rounded(&joseph, &law.noise_odd, &scales, bits);
+    // The mean, over o.
+    let moved = a.times(&belief.mean).scaled(&data.lift).plus(&gain.times(&innovation.value));
+    let moved = with_input(moved, target, data);
+    let (mean, errors) = rounded_mean(&moved, &data.odd, &scales, bits);
+    let three = product(&above(&ratio(3, 1)), &product(&innovation.square, &innovation.inverse_kappa));
+    let local = kept
+        .multiple(&over(&product(&three, &innovation.spread), &law.odd, 2))
+        .plus(&missed.multiple(&over(&three, &law.noise_odd, 2)))
+        .plus(&ellipsoid_of(&errors).multiple(&above(&ratio(3, 1))));
+    let carried = closed.congruence(&belief.ellipsoid).multiple(&over(&Dyadic::one(), &law.odd, 2));
+    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid: joined(&carried, &local, &scales) }
+}
+
+/// The law of a target without a reading.
+pub(super) fn moved(belief: &Enclosed, law: &Law, data: &Data, target: &Target, bits: u64) -> Enclosed {
+    let a = &target.map;
+    let exact = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
+    let square = over(&Dyadic::one(), &law.odd, 2);
+    let gap = a.congruence(&belief.gap).multiple(&square);
+    let scales = Enclosed::scales(&over_each(exact.diagonal(), &law.noise_odd), &gap.diagonal());
+    let (covariance, pad) = rounded(&exact, &law.noise_odd, &scales, bits);
+    let moved = with_input(a.times(&belief.mean).scaled(&data.lift), target, data);
+    let (mean, errors) = rounded_mean(&moved, &data.odd, &scales, bits);
+    let carried = a.congruence(&belief.ellipsoid).multiple(&square);
+    let ellipsoid = joined(&carried, &ellipsoid_of(&errors), &scales);
+    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid }
+}
+
+fn with_input(mean: Dyadics, target: &Target, data: &Data) -> Dyadics {
+    match &data.input {
+        Some(input) if target.input == Input::Transition => mean.plus(input),
+        _ => mean,
+    }
+}
+
+/// K̃ ≈ Γ̃Σ̃⁻¹ ≈ Γ̃TᵀT, each entry to so many bits of what a deviation of its reading does to its state. Any gain would do.
+fn gain(gamma: &Dyadics, prior: &Dyadics, innovation: &Innovation, odd: &BigInt, bits: u64) -> Dyadics {
+    let t = &innovation.whitening;
+    let exact = gamma.times(&t.transposed()).times(t);
+    let rows: Vec<i64> = over_each(prior.diagonal(), odd).iter().map(|v| scale(v).unwrap_or(0)).collect();
+    // T has the unit of the reciprocal deviation of its column.
+    let columns: Vec<i64> =
+        (0..t.rows()).map(|j| (0..t.rows()).filter_map(|i| t.entry(i, j).magnitude()).max().unwrap_or(0)).collect();
+    let kept = i64::try_from(bits + GUARD).unwrap_or(i64::MAX);
+    let (row, column) = (rows.iter().min().unwrap_or(&0), columns.iter().min().unwrap_or(&0));
+    let least = row + column - kept;
+    let mantissas = Matrix::from_fn(exact.rows(), t.rows(), |i, j| {
+        let unit = rows[i] + columns[j] - kept;
+        nearest(&exact.mantissas[(i, j)], exact.exponent - unit, odd).0 << (unit - least)
+    });
+    Dyadics { mantissas, exponent: least }
+}
+
+fn over_each(entries: Vec<Dyadic>, odd: &BigInt) -> Vec<Dyadic> {
+    if odd.is_one() { entries } else { entries.iter().map(|entry| over(entry, odd, 1)).collect() }
+}
+
+/// `(a + b)(a + b)ᵀ ≤ (1 + α) E₁ + (1 + 1/α) E₂`, with an α near the best in the units of the coordinates.
+fn joined(carried: &Dyadics, local: &Dyadics, scales: &[Option<i64>]) -> Dyadics {
+    let nothing = vec![Dyadic::zero(); carried.rows()];
+    if carried.is_zero() || local.is_zero() {
+        return up(if carried.is_zero() { local } else { carried }, &nothing, GAP_BITS);
+    }
+    let size = |matrix: &Dyadics| {
+        let entry = |(i, entry): (usize, Dyadic)| {
+            entry.times(&Dyadic::new(BigInt::one(), -2 * scales[i].unwrap_or(0)), BOUND_BITS, Toward::Above)
+        };
+        let total = matrix.diagonal().into_iter().enumerate().map(entry);
+        total.fold(Dyadic::zero(), |total, entry| sum(&total, &entry)).magnitude().unwrap_or(0)
+    };
+    // α = 2^−k
+    let k = ((size(carried) - size(local)) / 2).clamp(-64, 64);
+    let alpha = Dyadic::new(BigInt::one(), -k);
+    let inverse = Dyadic::new(BigInt::one(), k);
+    let factor = |more: &Dyadic| sum(&Dyadic::one(), more);
+    let total = carried.multiple(&factor(&alpha)).plus(&local.multiple(&factor(&inverse)));
+    up(&total, &nothing, GAP_BITS)
+}
