@@ -39,11 +39,6 @@ impl Dyadics {
         Self { mantissas, exponent: -twos }
     }
 
-    /// Zeros.
-    pub(super) fn zeros(rows: usize, columns: usize) -> Self {
-        Self { mantissas: Matrix::zeros(rows, columns), exponent: 0 }
-    }
-
     pub(super) fn rows(&self) -> usize {
         self.mantissas.rows()
     }

@@ -4,9 +4,10 @@ use super::enclosed::Enclosed;
 use super::innovation::Innovation;
 use super::law::{Law, have_one_law};
 use super::{Undecided, target};
+use crate::filter::StepValues;
 use crate::matrix::Matrix;
 use crate::model::{Before, Path, Step, Timing};
-use crate::scalar::{Interval, Rational};
+use crate::scalar::{Interval, Precision, Rational, Scalar as _, ratio};
 use crate::trace::{Quantity, Values};
 
 /// The results of one step: each entry lies in its interval.
@@ -14,6 +15,21 @@ use crate::trace::{Quantity, Values};
 pub struct CertifiedStep {
     /// The named values, all but the gain.
     pub values: Values<Interval>,
+}
+
+impl CertifiedStep {
+    /// The middle of each interval, in fractions of so many bits.
+    pub fn middles(&self, precision: Precision) -> StepValues {
+        let half = ratio(1, 2);
+        let middle = |interval: &Interval| {
+            let ends = [interval.lower(), interval.upper()].map(|end| end.value().unwrap_or_else(Rational::zero));
+            precision.of(&(&half * (&ends[0] + &ends[1])))
+        };
+        let values: Values<Rational> =
+            self.values.iter().map(|(&quantity, entries)| (quantity, entries.map(middle))).collect();
+        let innovation_rank = values.get(&Quantity::InnovationCovariance).map_or(0, Matrix::rows);
+        StepValues { values, innovation_rank }
+    }
 }
 
 /// The filter along a path, one step at a time, with a fixed number of bits.

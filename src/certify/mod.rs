@@ -11,9 +11,11 @@ mod grid;
 mod innovation;
 mod law;
 mod target;
+mod tiers;
 mod whitening;
 
 pub use filter::{CertifiedFilter, CertifiedStep};
+pub use tiers::{TieredFilter, TieredStep, Tiers};
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,10 +1,10 @@
 //! Enclosures contain the exact answer, whatever the bits; and stay narrow.
 
-use exact_kalman::certify::CertifiedFilter;
-use exact_kalman::filter::filter;
+use exact_kalman::certify::{CertifiedFilter, CertifiedStep, TieredFilter, TieredStep, Tiers};
+use exact_kalman::filter::{StopReason, filter};
 use exact_kalman::model::Path;
 use exact_kalman::scalar::{Dyadic, Interval, Rational, Toward};
-use exact_kalman::trace::Quantity;
+use exact_kalman::trace::{Quantity, Record};
 use proptest::prelude::*;
 
 use super::draws::draws;
@@ -16,6 +16,24 @@ fn contains(interval: &Interval, value: &Rational) -> bool {
     let below = Dyadic::rounded(value, 4000, Toward::Below);
     let above = Dyadic::rounded(value, 4000, Toward::Above);
     *interval.lower() <= above && below <= *interval.upper()
+}
+
+/// Whether every exact value lies in its interval, and none is left out.
+fn surrounds(step: &CertifiedStep, record: &Record<Rational>) -> Result<(), String> {
+    let exact = record.values();
+    for (quantity, intervals) in &step.values {
+        let exact = exact.get(quantity).ok_or_else(|| format!("{quantity} does not exist"))?;
+        if exact.shape() != intervals.shape() {
+            return Err(format!("{quantity} is {}", intervals.shape()));
+        }
+        for (interval, value) in intervals.entries().iter().zip(exact.entries()) {
+            if !contains(interval, value) {
+                return Err(format!("{quantity}: {interval:?} without {value}"));
+            }
+        }
+    }
+    let all = step.values.len() + usize::from(exact.contains_key(&Quantity::Gain));
+    if all == exact.len() { Ok(()) } else { Err("a quantity is missing".into()) }
 }
 
 /// The steps that were enclosed; or the first value that is not where it should be.
@@ -34,27 +52,13 @@ fn enclosed(path: &Path<Rational>, bits: u64) -> Result<usize, String> {
         if is_singular(record) {
             return Err(format!("step {steps} has a singular innovation"));
         }
-        let exact = record.values();
-        for (quantity, intervals) in &step.values {
-            let exact = &exact[quantity];
-            if exact.shape() != intervals.shape() {
-                return Err(format!("{quantity} at step {steps}"));
-            }
-            for (interval, value) in intervals.entries().iter().zip(exact.entries()) {
-                if !contains(interval, value) {
-                    return Err(format!("{quantity} at step {steps}: {interval:?} without {value}"));
-                }
-            }
-        }
-        if step.values.len() + usize::from(exact.contains_key(&Quantity::Gain)) != exact.len() {
-            return Err(format!("step {steps} lacks a quantity"));
-        }
+        surrounds(&step, record).map_err(|why| format!("{why} at step {steps}"))?;
         steps += 1;
     }
     Ok(steps)
 }
 
-fn is_singular(record: &exact_kalman::trace::Record<Rational>) -> bool {
+fn is_singular(record: &Record<Rational>) -> bool {
     record.innovation_rank < record.observed.len()
 }
 
@@ -65,5 +69,46 @@ proptest! {
     fn every_value_lies_in_its_interval(draw in draws(KIND), bits in prop_oneof![Just(128_u64), Just(53), 12_u64..40]) {
         let path = draw.system().realised(&draw.data()).map_err(|error| TestCaseError::fail(error.to_string()))?;
         enclosed(&path, bits).map_err(TestCaseError::fail)?;
+    }
+
+    /// Exact where it must be, enclosed where it may be: no step is lost or shifted, and contradictions are found.
+    #[test]
+    fn tiers_follow_each_other(
+        draw in draws(Kind { steps: 10, ..KIND }),
+        exact_bits in prop_oneof![Just(0_u64), 4_u64..60],
+        contradicted in any::<bool>(),
+    ) {
+        let mut readings = draw.simulated(&draw.initial_source, &draw.sources).1;
+        if contradicted {
+            let last = readings.len() - 1;
+            readings[last][(0, 0)] += Rational::new(1.into(), 7.into());
+        }
+        let path = draw.system().realised(&draw.observations(&readings));
+        let path = path.map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let tiers = Tiers { exact_bits, bits: 64, most_bits: 512, maximal_bits: None };
+        let (records, reason) = match filter(&path) {
+            Ok(trace) => (trace.records, None),
+            Err(error) => (error.computed, Some(error.source)),
+        };
+        let mut steps = TieredFilter::new(&path, tiers);
+        for (k, record) in records.iter().enumerate() {
+            match steps.next() {
+                Some(Ok(TieredStep::Exact(step))) => {
+                    for (quantity, values) in &record.values() {
+                        prop_assert!(*quantity == Quantity::Gain || step.exactly(*quantity).as_ref() == Some(values));
+                    }
+                }
+                Some(Ok(TieredStep::Certified(step))) => {
+                    surrounds(&step, record).map_err(|why| TestCaseError::fail(format!("{why} at step {k}")))?;
+                    prop_assert!(!is_singular(record));
+                }
+                other => return Err(TestCaseError::fail(format!("step {k}: {other:?}"))),
+            }
+        }
+        match (steps.next(), reason) {
+            (None, None) => {}
+            (Some(Err(StopReason::Condition(found))), Some(reason)) => prop_assert_eq!(found, reason),
+            (other, reason) => return Err(TestCaseError::fail(format!("{other:?}, {reason:?}"))),
+        }
     }
 }

@@ -1,0 +1,145 @@
+//! Exact while that is cheap or needed, enclosed from then on.
+
+use std::iter::Skip;
+
+use super::CertifiedFilter;
+use super::filter::CertifiedStep;
+use crate::filter::{Effort, RationalFilter, RationalStep, StopReason};
+use crate::matrix::Matrix;
+use crate::model::{Path, Timing};
+use crate::scalar::{Precision, Rational};
+use crate::trace::Quantity;
+
+/// How far exact numbers go, and how many bits enclosures have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tiers {
+    /// Denominators up to so many bits are carried exactly; enclosures begin beyond.
+    pub exact_bits: u64,
+    /// The bits with which enclosures begin.
+    pub bits: u64,
+    /// The bits beyond which they are not raised: exact numbers go on instead.
+    pub most_bits: u64,
+    /// The most bits of denominators where nothing but exact numbers decides.
+    pub maximal_bits: Option<u64>,
+}
+
+impl Default for Tiers {
+    /// Exact up to 2¹¹ bits; enclosures with 192 bits, raised up to 2¹² bits; no limit where nothing else decides.
+    fn default() -> Self {
+        Self { exact_bits: 1 << 11, bits: 192, most_bits: 1 << 12, maximal_bits: None }
+    }
+}
+
+/// One step of either tier.
+#[derive(Clone, Debug)]
+pub enum TieredStep {
+    /// The exact results.
+    Exact(RationalStep),
+    /// Enclosures of them. The innovation covariance is regular.
+    Certified(CertifiedStep),
+}
+
+/// The filter along a path: exact as long as denominators are short, a start is diffuse, or an innovation covariance is
+/// singular; enclosed elsewhere. The bits of enclosures are doubled where they decide nothing.
+#[derive(Debug)]
+pub struct TieredFilter<'a> {
+    path: &'a Path<Rational>,
+    tiers: Tiers,
+    exact: RationalFilter<'a>,
+    /// The steps that the exact filter has done.
+    exact_steps: usize,
+    /// What it handed on last, and before which step.
+    begin: Option<(usize, Belief)>,
+    certified: Option<Skip<CertifiedFilter<'a>>>,
+    bits: u64,
+    done: usize,
+}
+
+type Belief = (Matrix<Rational>, Matrix<Rational>);
+
+impl<'a> TieredFilter<'a> {
+    /// The filter before the first step of a path.
+    pub fn new(path: &'a Path<Rational>, tiers: Tiers) -> Self {
+        let effort = Effort { maximal_bits: tiers.maximal_bits, ..Effort::default() };
+        Self {
+            path,
+            tiers,
+            exact: RationalFilter::new(path, effort),
+            exact_steps: 0,
+            begin: None,
+            certified: None,
+            bits: tiers.bits,
+            done: 0,
+        }
+    }
+
+    /// The next step by exact numbers, those of the steps that were enclosed made up for; what it hands on begins the next
+    /// enclosures once denominators are long.
+    fn exactly(&mut self) -> Option<Result<TieredStep, StopReason>> {
+        let mut last = None;
+        while self.exact_steps <= self.done {
+            match self.exact.next()? {
+                Ok(step) => last = Some(step),
+                Err(reason) => return Some(Err(reason)),
+            }
+            self.exact_steps += 1;
+        }
+        let step = last?;
+        if self.exact.bits() > self.tiers.exact_bits {
+            // What departs from this step shows in the next one: that is done twice.
+            let before = if self.path.timing() == Timing::Departing { self.done } else { self.done + 1 };
+            let names = match self.path.timing() {
+                Timing::Arriving => [Quantity::FilteredMean, Quantity::FilteredCovariance],
+                Timing::Departing => [Quantity::PredictedMean, Quantity::PredictedCovariance],
+            };
+            let [mean, covariance] = names.map(|name| step.exactly(name));
+            if let (Some(mean), Some(covariance)) = (mean, covariance) {
+                self.begin = Some((before, (mean, covariance)));
+                self.bits = self.tiers.bits;
+                self.enclose(self.done + 1);
+            }
+        }
+        self.done += 1;
+        Some(Ok(TieredStep::Exact(step)))
+    }
+
+    /// Enclosures from where they began, with the steps before the wanted one passed over.
+    fn enclose(&mut self, wanted: usize) {
+        self.certified = self.begin.as_ref().map(|(before, (mean, covariance))| {
+            CertifiedFilter::resumed(self.path, *before, (mean, covariance), self.bits).skip(wanted - before)
+        });
+    }
+}
+
+impl Iterator for TieredFilter<'_> {
+    type Item = Result<TieredStep, StopReason>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while let Some(certified) = &mut self.certified {
+            match certified.next() {
+                Some(Ok(step)) => {
+                    self.done += 1;
+                    return Some(Ok(TieredStep::Certified(step)));
+                }
+                _ if self.done == self.path.steps().len() => return None,
+                // Undecided at this step, or at one that was passed over.
+                _ if self.bits < self.tiers.most_bits => {
+                    self.bits = (2 * self.bits).min(self.tiers.most_bits);
+                    self.enclose(self.done);
+                }
+                _ => self.certified = None,
+            }
+        }
+        self.exactly()
+    }
+}
+
+impl TieredStep {
+    /// The results as fractions of so many bits: rounded, or the middles of what encloses them.
+    pub fn fractions(&self, precision: Precision) -> crate::filter::StepValues {
+        match self {
+            Self::Exact(step) => step.fractions(precision),
+            Self::Certified(step) => step.middles(precision),
+        }
+    }
+}
