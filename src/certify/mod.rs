@@ -4,6 +4,7 @@
 //! bounds in the order of Loewner for how far the exact ones may be from them. All arithmetic is on integers; no floating
 //! point is trusted, and no inverse of P is taken, so P may be singular.
 
+mod accuracy;
 mod dyadics;
 mod enclosed;
 mod filter;

@@ -19,14 +19,17 @@ pub struct Tiers {
     pub bits: u64,
     /// The bits beyond which they are not raised: exact numbers go on instead.
     pub most_bits: u64,
+    /// How accurate enclosures must be, in bits: see [`CertifiedStep::accuracy`].
+    pub accuracy: u64,
     /// The most bits of denominators where nothing but exact numbers decides.
     pub maximal_bits: Option<u64>,
 }
 
 impl Default for Tiers {
-    /// Exact up to 2¹¹ bits; enclosures with 192 bits, raised up to 2¹² bits; no limit where nothing else decides.
+    /// Exact up to 2¹¹ bits; enclosures with 192 bits, raised up to 2¹² bits, to 30 digits; no limit where nothing else
+    /// decides.
     fn default() -> Self {
-        Self { exact_bits: 1 << 11, bits: 192, most_bits: 1 << 12, maximal_bits: None }
+        Self { exact_bits: 1 << 11, bits: 192, most_bits: 1 << 12, accuracy: 100, maximal_bits: None }
     }
 }
 
@@ -117,12 +120,12 @@ impl Iterator for TieredFilter<'_> {
     fn next(&mut self) -> Option<Self::Item> {
         while let Some(certified) = &mut self.certified {
             match certified.next() {
-                Some(Ok(step)) => {
+                Some(Ok(step)) if step.accuracy().is_none_or(|bits| bits >= self.tiers.accuracy) => {
                     self.done += 1;
                     return Some(Ok(TieredStep::Certified(step)));
                 }
-                _ if self.done == self.path.steps().len() => return None,
-                // Undecided at this step, or at one that was passed over.
+                None if self.done == self.path.steps().len() => return None,
+                // Undecided at this step, or at one that was passed over, or not accurate.
                 _ if self.bits < self.tiers.most_bits => {
                     self.bits = (2 * self.bits).min(self.tiers.most_bits);
                     self.enclose(self.done);

@@ -85,7 +85,7 @@ proptest! {
         }
         let path = draw.system().realised(&draw.observations(&readings));
         let path = path.map_err(|error| TestCaseError::fail(error.to_string()))?;
-        let tiers = Tiers { exact_bits, bits: 64, most_bits: 512, maximal_bits: None };
+        let tiers = Tiers { exact_bits, bits: 64, most_bits: 512, accuracy: 20, maximal_bits: None };
         let (records, reason) = match filter(&path) {
             Ok(trace) => (trace.records, None),
             Err(error) => (error.computed, Some(error.source)),
