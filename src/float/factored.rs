@@ -34,7 +34,43 @@ pub(super) trait Reduction {
     fn compressed(factor: Factor) -> Result<Factor, Obstacle>;
 
     /// What the readings say of the other rows.
-    fn conditioned(readings: DMatrix<f64>, others: Factor, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle>;
+    fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle>;
+}
+
+/// What a reading is made of, in common sources.
+pub(super) struct Stage<'a> {
+    /// W, n×k.
+    pub(super) state: DMatrix<f64>,
+    /// F, m×k.
+    pub(super) noise: DMatrix<f64>,
+    /// D, n×k, if a transition departs.
+    pub(super) process: Option<DMatrix<f64>>,
+    /// The weights of the k sources.
+    pub(super) weights: DVector<f64>,
+    /// C, m×n.
+    pub(super) observation: &'a DMatrix<f64>,
+    /// A, n×n; used if a transition departs.
+    pub(super) transition: &'a DMatrix<f64>,
+}
+
+impl Stage<'_> {
+    /// `C W + F`, in one product, so that what cancels between the two is seen to cancel.
+    pub(super) fn readings(&self) -> DMatrix<f64> {
+        sum_of_image(self.observation, &self.state, &self.noise)
+    }
+
+    /// W above `A W + D`, for any W and D.
+    pub(super) fn others(&self, state: &DMatrix<f64>, process: Option<&DMatrix<f64>>) -> DMatrix<f64> {
+        process.map_or_else(
+            || state.clone(),
+            |process| stacked(state, &sum_of_image(self.transition, state, process)),
+        )
+    }
+}
+
+/// `a x + y`, entries that are nothing but rounding set to zero.
+fn sum_of_image(a: &DMatrix<f64>, x: &DMatrix<f64>, y: &DMatrix<f64>) -> DMatrix<f64> {
+    product(&side_by_side(a, &DMatrix::identity(y.nrows(), y.nrows())), &stacked(x, y))
 }
 
 /// The other rows given the readings.
@@ -95,39 +131,31 @@ impl<R: Reduction> Recursion for Factored<R> {
         departure: Option<&Departure<'_>>,
     ) -> Result<Update<Belief>, Obstacle> {
         let Belief { mean, factor, noise } = belief;
-        let (n, m) = (mean.len(), observed.value.len());
+        let n = mean.len();
+        let (own, transition) = (factor.rank(), departure.map_or(&observed.matrix, |departure| &departure.transition.matrix));
         let (state, process, noise) = match (noise, departure) {
             (Some(noise), _) => (factor.clone(), None, noise.clone()),
             (None, Some(Departure { transition, cross_noise })) => {
                 let (process, noise) = joint_noise(&transition.noise, cross_noise, &observed.noise)?;
-                let noise = beside_zeros(factor.weights.len(), &noise);
-                let process_rows = beside_zeros(factor.weights.len(), &process.rows);
-                (beside_zero_rows(factor, &process.weights), Some(process_rows), noise)
+                let state = beside_zero_rows(factor, &process.weights);
+                (state, Some(beside_zeros(own, &process.rows)), beside_zeros(own, &noise))
             }
             (None, None) => {
-                let own = Factor::of(&observed.noise)?;
-                (beside_zero_rows(factor, &own.weights), None, beside_zeros(factor.weights.len(), &own.rows))
+                let noise = Factor::of(&observed.noise)?;
+                (beside_zero_rows(factor, &noise.weights), None, beside_zeros(own, &noise.rows))
             }
         };
-        // (C I) (W; F) in one product, so that what cancels between the two is seen to cancel.
-        let readings =
-            product(&side_by_side(&observed.matrix, &DMatrix::identity(m, m)), &stacked(&state.rows, &noise));
-        let mut others = state.rows.clone();
+        let Factor { rows: state, weights } = state;
+        let stage = Stage { state, noise, process, weights, observation: &observed.matrix, transition };
+        let innovation = &observed.value - &observed.matrix * mean;
+        let innovation_covariance =
+            Factor { rows: stage.readings(), weights: stage.weights.clone() }.covariance();
+        let Conditioned { rest, correction, gain } = R::conditioned(&stage, &innovation)?;
         let mut means = mean.clone();
-        if let (Some(process), Some(Departure { transition, .. })) = (&process, departure) {
-            let moved = product(
-                &side_by_side(&transition.matrix, &DMatrix::identity(n, n)),
-                &stacked(&state.rows, process),
-            );
-            others = stacked(&others, &moved);
+        if let Some(Departure { transition, .. }) = departure {
             let ahead = &transition.matrix * mean + &transition.input;
             means = DVector::from_iterator(2 * n, means.iter().chain(&ahead).copied());
         }
-        let innovation = &observed.value - &observed.matrix * mean;
-        let innovation_covariance =
-            Factor { rows: readings.clone(), weights: state.weights.clone() }.covariance();
-        let others = Factor { rows: others, weights: state.weights };
-        let Conditioned { rest, correction, gain } = R::conditioned(readings, others, &innovation)?;
         let means = means + correction;
         let belief = |first: usize| {
             let rows = rest.rows.rows(first, n).into_owned();
@@ -139,7 +167,7 @@ impl<R: Reduction> Recursion for Factored<R> {
             innovation_covariance,
             gain: gain.map(|gain| gain.rows(0, n).into_owned()),
             filtered: belief(0)?,
-            ahead: process.map(|_| belief(n)).transpose()?,
+            ahead: departure.map(|_| belief(n)).transpose()?,
         })
     }
 }
@@ -163,7 +191,7 @@ fn side_by_side(left: &DMatrix<f64>, right: &DMatrix<f64>) -> DMatrix<f64> {
     })
 }
 
-fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
+pub(super) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
     let rows = above.nrows();
     DMatrix::from_fn(rows + below.nrows(), above.ncols(), |i, j| {
         if i < rows { above[(i, j)] } else { below[(i - rows, j)] }

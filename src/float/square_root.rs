@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 
 use super::error::Obstacle;
 use super::factor::Factor;
-use super::factored::{Conditioned, Factored, Reduction};
+use super::factored::{Conditioned, Factored, Reduction, Stage, stacked};
 use super::rank::rounded_off;
 
 /// A triangular L with `P = L Lᵀ`, and the pre-array brought to triangular form by Householder reflections of its columns.
@@ -35,14 +35,11 @@ impl Reduction for Reflections {
         Ok(Factor { rows: rows.columns(0, rank).into_owned(), weights: DVector::repeat(rank, 1.0) })
     }
 
-    fn conditioned(readings: DMatrix<f64>, others: Factor, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
-        let (m, count) = (readings.nrows(), others.rows.nrows());
-        let weights = others.weights.clone();
-        let readings = Factor { rows: readings, weights }.of_unit_weights();
-        let others = others.of_unit_weights();
-        let mut array = DMatrix::zeros(m + count, readings.ncols());
-        array.rows_mut(0, m).copy_from(&readings);
-        array.rows_mut(m, count).copy_from(&others);
+    fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
+        let others = stage.others(&stage.state, stage.process.as_ref());
+        let (m, count) = (stage.noise.nrows(), others.nrows());
+        let rows = stacked(&stage.readings(), &others);
+        let mut array = Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
         let pivots = triangularise(&mut array, m);
         let rank = pivots.iter().flatten().count();
         let cross = array.view((m, 0), (count, rank));

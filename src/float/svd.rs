@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::error::Obstacle;
 use super::factor::Factor;
-use super::factored::{Conditioned, Factored, Reduction};
+use super::factored::{Conditioned, Factored, Reduction, Stage};
 use super::rank::{is_rounding, rounded_off};
 use super::square_root::triangularise;
 
@@ -48,10 +48,9 @@ impl Reduction for Rotations {
         Ok(Factor { rows: vectors, weights: DVector::from_iterator(kept.len(), kept.iter().map(|(square, _)| *square)) })
     }
 
-    fn conditioned(readings: DMatrix<f64>, others: Factor, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
-        let Factor { weights, .. } = &others;
-        let readings = Factor { rows: readings, weights: weights.clone() }.of_unit_weights();
-        let rows = others.of_unit_weights();
+    fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
+        let unit = |rows| Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
+        let (readings, rows) = (unit(stage.readings()), unit(stage.others(&stage.state, stage.process.as_ref())));
         let m = readings.nrows();
         // Each reading in units of its deviation, to a power of two.
         let units = DVector::from_fn(m, |i, _| power_of_two(readings.row(i).norm()));
