@@ -63,7 +63,8 @@ fn handed_on(initial: &Initial<Rational>, timing: Timing, solved: &[StepValues])
 mod tests {
     use super::*;
     use crate::filter::filter_rational;
-    use crate::judge::perturb::{Perturbation, Readings};
+    use crate::judge::data_kind::Moved;
+    use crate::judge::perturb::Perturbation;
     use crate::judge::suite;
     use crate::protocol::Expect;
     use crate::scalar::{Scalar as _, ratio};
@@ -82,7 +83,7 @@ mod tests {
                 path.initial().clone(),
                 path.steps().iter().take(19).cloned().collect(),
             );
-            let moved = Perturbation::seeded(7, Readings::Moved).of(&path);
+            let moved = Perturbation::seeded(7, Moved::all(53)).of(&path);
             let (rounded, exact) =
                 (answer(&moved, None), filter_rational(&moved, Effort::default()).expect("data as a model makes them"));
             assert_eq!(rounded.len(), exact.len(), "{}", case.id);
