@@ -42,7 +42,7 @@ pub(super) struct Check {
     time: f64,
     #[command(flatten)]
     jobs: Jobs,
-    /// Show all findings, not only the worst twenty.
+    /// Show all findings, not only the worst twenty; without a program, each case.
     #[arg(long)]
     all: bool,
     /// How to print the report.
@@ -101,18 +101,16 @@ impl Check {
                 }
             }
             Format::Text => {
-                writeln!(out, "Correct digits of three f64 Kalman filters against exact rational arithmetic:")?;
-                writeln!(out, "filtered mean / filtered covariance, the fewest over all steps.\n")?;
-                writeln!(out, "{}", side_by_side(reports))?;
+                writeln!(out, "{} f64 Kalman filters against exact rational arithmetic, by category:", Form::ALL.len())?;
+                writeln!(out, "cases that agree / cases that the form supports, and the fewest correct digits.\n")?;
+                writeln!(out, "{}", side_by_side(reports, self.all))?;
                 for form in Form::ALL {
                     writeln!(out, "{:16}{}", form.name(), form.description())?;
                 }
                 writeln!(
                     out,
-                    "\n17 is exact. Attainable is what is left of the answer when all data are moved by one part in 2^53;\n\
-                     where an innovation covariance is singular, at most 15. Negative: wrong by so many powers of ten.\n\
-                     ! marks a step with more than 2 digits fewer than attainable there; where a verdict stands beside\n\
-                     the digits it is about other quantities (--format json tells all).\n\
+                    "\nAttainable is what is left of the answer when all data are moved by one part in 2^53; where an innovation\n\
+                     covariance is singular, at most 15. docs/FORMS.md says what each form is good and bad at.\n\
                      Judge a filter of your own:  exact-kalman check -- python3 my_filter.py"
                 )?;
             }

@@ -1,5 +1,7 @@
 //! Why a filter stopped.
 
+use std::fmt;
+
 use crate::trace::Values;
 
 /// Why a filter in `f64` stopped, and the complete steps before that.
@@ -30,16 +32,67 @@ pub enum FloatError {
         /// The values of the steps before.
         computed: Vec<Values<f64>>,
     },
+    /// A covariance of the model is not positive semidefinite, so it has no factors.
+    #[error("a covariance is not positive semidefinite at step {step}: this form needs its factors")]
+    Indefinite {
+        /// The step, counted from 0.
+        step: usize,
+        /// The values of the steps before.
+        computed: Vec<Values<f64>>,
+    },
+    /// A covariance that this form inverts has no inverse, to the precision of `f64`.
+    #[error("the covariance of the {what} has no inverse at step {step}: this form needs it")]
+    NoInverse {
+        /// Whose covariance it is.
+        what: Inverted,
+        /// The step, counted from 0.
+        step: usize,
+        /// The values of the steps before.
+        computed: Vec<Values<f64>>,
+    },
     /// The form knows no diffuse start.
     #[error("a diffuse initial law is not supported by this form")]
     Diffuse,
 }
 
+/// A covariance that the information form inverts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inverted {
+    /// P of the initial law: given with the model.
+    Start,
+    /// P after a transition.
+    State,
+    /// R: given with the model.
+    Noise,
+}
+
+impl fmt::Display for Inverted {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Start => "initial state",
+            Self::State => "state",
+            Self::Noise => "observation noise",
+        })
+    }
+}
+
 impl FloatError {
+    /// Whether the model is of a kind that the form does not know, rather than a step that failed.
+    pub fn is_unsupported(&self) -> bool {
+        matches!(
+            self,
+            Self::Diffuse | Self::Indefinite { .. } | Self::NoInverse { what: Inverted::Start | Inverted::Noise, .. }
+        )
+    }
+
     /// The step that could not be done, counted from 0; nothing if the filter could not start.
     pub fn step(&self) -> Option<usize> {
         match self {
-            Self::Singular { step, .. } | Self::NotFinite { step, .. } | Self::Unconverged { step, .. } => Some(*step),
+            Self::Singular { step, .. }
+            | Self::NotFinite { step, .. }
+            | Self::Unconverged { step, .. }
+            | Self::Indefinite { step, .. }
+            | Self::NoInverse { step, .. } => Some(*step),
             Self::Diffuse => None,
         }
     }
@@ -47,9 +100,11 @@ impl FloatError {
     /// The values of the steps before.
     pub fn computed(&self) -> &[Values<f64>] {
         match self {
-            Self::Singular { computed, .. } | Self::NotFinite { computed, .. } | Self::Unconverged { computed, .. } => {
-                computed
-            }
+            Self::Singular { computed, .. }
+            | Self::NotFinite { computed, .. }
+            | Self::Unconverged { computed, .. }
+            | Self::Indefinite { computed, .. }
+            | Self::NoInverse { computed, .. } => computed,
             Self::Diffuse => &[],
         }
     }
@@ -64,6 +119,10 @@ pub(super) enum Obstacle {
     NotFinite,
     /// An iteration found no end.
     Unconverged,
+    /// A covariance has no factors.
+    Indefinite,
+    /// A covariance has no inverse.
+    NoInverse(Inverted),
 }
 
 impl Obstacle {
@@ -74,6 +133,8 @@ impl Obstacle {
             Self::Singular => FloatError::Singular { step, computed },
             Self::NotFinite => FloatError::NotFinite { step, computed },
             Self::Unconverged => FloatError::Unconverged { step, computed },
+            Self::Indefinite => FloatError::Indefinite { step, computed },
+            Self::NoInverse(what) => FloatError::NoInverse { what, step, computed },
         }
     }
 }

@@ -4,10 +4,16 @@ use std::fmt;
 
 use super::ahead::{self, Predict};
 use super::error::FloatError;
+use super::information::Information;
 use super::joseph::Joseph;
 use super::pseudo_inverse::PseudoInverse;
 use super::recursion::{self, Recursion};
+use super::sequential::Sequential;
+use super::square_root::SquareRoot;
+use super::svd::Svd;
+use super::symmetrised::Symmetrised;
 use super::textbook::Textbook;
+use super::ud::Ud;
 use crate::model::{Path, PathAhead};
 use crate::trace::{Moments, Values};
 
@@ -21,6 +27,18 @@ pub enum Form {
     Joseph,
     /// The pseudo-inverse of S, and (I − KC)P.
     PseudoInverse,
+    /// The inverse of S, and (I − KC)P, of which the symmetric part is kept.
+    Symmetrised,
+    /// One scalar reading after the other.
+    Sequential,
+    /// A square root of P, by reflections.
+    SquareRoot,
+    /// P = U D Uᵀ, by weighted Gram–Schmidt.
+    Ud,
+    /// P = V D² Vᵀ, by rotations.
+    Svd,
+    /// P⁻¹.
+    Information,
 }
 
 /// A filter: the values of each step, or where it stopped.
@@ -42,7 +60,17 @@ impl Card {
 
 impl Form {
     /// Every form, in order.
-    pub const ALL: [Self; 3] = [Self::Textbook, Self::Joseph, Self::PseudoInverse];
+    pub const ALL: [Self; 9] = [
+        Self::Textbook,
+        Self::Joseph,
+        Self::PseudoInverse,
+        Self::Symmetrised,
+        Self::Sequential,
+        Self::SquareRoot,
+        Self::Ud,
+        Self::Svd,
+        Self::Information,
+    ];
 
     /// The name: words, joined by hyphens.
     pub const fn name(self) -> &'static str {
@@ -59,6 +87,12 @@ impl Form {
             Self::Textbook => Card::of::<Textbook>(),
             Self::Joseph => Card::of::<Joseph>(),
             Self::PseudoInverse => Card::of::<PseudoInverse>(),
+            Self::Symmetrised => Card::of::<Symmetrised>(),
+            Self::Sequential => Card::of::<Sequential>(),
+            Self::SquareRoot => Card::of::<SquareRoot>(),
+            Self::Ud => Card::of::<Ud>(),
+            Self::Svd => Card::of::<Svd>(),
+            Self::Information => Card::of::<Information>(),
         }
     }
 }

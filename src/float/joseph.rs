@@ -70,6 +70,6 @@ impl Recursion for Joseph {
             })
         });
         let ahead = ahead.transpose()?;
-        Ok(Update { innovation, innovation_covariance: s, gain, filtered, ahead })
+        Ok(Update { innovation, innovation_covariance: s, gain: Some(gain), filtered, ahead })
     }
 }

@@ -20,7 +20,7 @@ pub enum FloatMatrixError {
 impl From<Obstacle> for FloatMatrixError {
     fn from(obstacle: Obstacle) -> Self {
         match obstacle {
-            Obstacle::Singular => Self::Singular,
+            Obstacle::Singular | Obstacle::Indefinite | Obstacle::NoInverse(_) => Self::Singular,
             Obstacle::NotFinite => Self::NotFinite,
             Obstacle::Unconverged => Self::Unconverged,
         }

@@ -25,8 +25,11 @@ mod ahead;
 mod error;
 mod estimator;
 mod extended;
+mod factor;
+mod factored;
 mod fixed_point;
 mod form;
+mod information;
 mod joseph;
 mod matrix_error;
 mod mixture;
@@ -35,15 +38,21 @@ mod observed;
 mod parallel_sum;
 mod pseudo_inverse;
 mod random_riccati;
+mod rank;
 mod recursion;
+mod sequential;
 mod short;
+mod square_root;
 mod stein;
+mod svd;
 mod symmetric;
+mod symmetrised;
 mod textbook;
 mod transition;
+mod ud;
 
 pub use adaptive::{AdaptiveFilter, Gained};
-pub use error::FloatError;
+pub use error::{FloatError, Inverted};
 pub use estimator::{Estimates, Estimator, NoInverse};
 pub use extended::{
     AdditiveNoise, ExtendedError, ExtendedObstacle, ExtendedStep, ExtendedSystem, ExtendedTrace, Function,

@@ -19,6 +19,11 @@ pub(super) struct Observed {
 }
 
 impl Observed {
+    /// Whether the state is correlated with the noise.
+    pub(super) fn shares_noise(&self) -> bool {
+        self.state_noise.iter().any(|&entry| entry != 0.0)
+    }
+
     /// The observed rows of a step; nothing if all are missing.
     pub(super) fn at(step: &Step<f64>, timing: Timing, states: usize) -> Option<Self> {
         let present = step.reading.present();

@@ -27,6 +27,17 @@ pub(super) trait Recursion {
     /// The belief after a transition whose noise is independent of all that was observed.
     fn predicted(belief: &Self::Belief, transition: &Transition) -> Result<Self::Belief, Obstacle>;
 
+    /// The belief after a transition whose noise is shared with that of the reading which follows (arriving timing).
+    ///
+    /// `observed` holds what is shared, also for [`updated`](Self::updated); a form that keeps no noise apart needs no more.
+    fn arrived(
+        belief: &Self::Belief,
+        transition: &Transition,
+        _observed: &Observed,
+    ) -> Result<Self::Belief, Obstacle> {
+        Self::predicted(belief, transition)
+    }
+
     /// The belief after a reading and, if a transition departs from it, the belief after that.
     fn updated(
         belief: &Self::Belief,
@@ -41,8 +52,8 @@ pub(super) struct Update<B> {
     pub(super) innovation: DVector<f64>,
     /// S
     pub(super) innovation_covariance: DMatrix<f64>,
-    /// K
-    pub(super) gain: DMatrix<f64>,
+    /// K, of Moore and Penrose; nothing where S is singular and the form uses another one.
+    pub(super) gain: Option<DMatrix<f64>>,
     /// The law of the state given the reading too.
     pub(super) filtered: B,
     /// The law of the next state, if a transition departs.
@@ -101,14 +112,18 @@ fn one<R: Recursion>(
     states: usize,
 ) -> Result<(Values<f64>, R::Belief), Obstacle> {
     let transition = step.transition.as_ref().map(Transition::of);
+    let observed = Observed::at(step, timing, states);
     let (predicted, departing) = match (timing, transition) {
-        (Timing::Arriving, Some(transition)) => (R::predicted(&belief, &transition)?, None),
+        (Timing::Arriving, Some(transition)) => match observed.as_ref().filter(|observed| observed.shares_noise()) {
+            Some(observed) => (R::arrived(&belief, &transition, observed)?, None),
+            None => (R::predicted(&belief, &transition)?, None),
+        },
         (Timing::Arriving, None) => (belief, None),
         (Timing::Departing, transition) => (belief, transition),
     };
     let mut values = Values::new();
     insert_moments(&mut values, (Quantity::PredictedMean, Quantity::PredictedCovariance), &R::moments(&predicted)?)?;
-    let Some(observed) = Observed::at(step, timing, states) else {
+    let Some(observed) = observed else {
         // Nothing was learned, and no noise is shared with an observation.
         insert_moments(&mut values, (Quantity::FilteredMean, Quantity::FilteredCovariance), &R::moments(&predicted)?)?;
         let next = departing.map(|transition| R::predicted(&predicted, &transition)).transpose()?;
@@ -121,7 +136,9 @@ fn one<R: Recursion>(
     let update = R::updated(&predicted, &observed, departure.as_ref())?;
     values.insert(Quantity::Innovation, finite_column(&update.innovation)?);
     values.insert(Quantity::InnovationCovariance, finite(&update.innovation_covariance)?);
-    values.insert(Quantity::Gain, finite(&update.gain)?);
+    if let Some(gain) = &update.gain {
+        values.insert(Quantity::Gain, finite(gain)?);
+    }
     let filtered = R::moments(&update.filtered)?;
     insert_moments(&mut values, (Quantity::FilteredMean, Quantity::FilteredCovariance), &filtered)?;
     Ok((values, update.ahead.unwrap_or(update.filtered)))

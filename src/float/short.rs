@@ -51,5 +51,5 @@ pub(super) fn updated(
             covariance: a * p * a.transpose() + q - &gain_ahead * &s * gain_ahead.transpose(),
         }
     });
-    Ok(Update { innovation, innovation_covariance: s, gain, filtered, ahead })
+    Ok(Update { innovation, innovation_covariance: s, gain: Some(gain), filtered, ahead })
 }

@@ -1,6 +1,6 @@
 //! Those who answer cases: programs, and the built-in f64 filters.
 
-use crate::float::{FloatError, Form, filter};
+use crate::float::{Form, filter};
 use crate::protocol::{Answer, Case, Number, Outcome, Reply, Subject};
 use crate::scalar::{exact_value, nearest_double};
 use crate::trace::Values;
@@ -53,7 +53,7 @@ impl Examinee for Form {
         };
         match filter(*self, &path) {
             Ok(steps) => answer(Outcome::Answered, None, String::new(), &steps),
-            Err(error @ FloatError::Diffuse) => answer(Outcome::Unsupported, None, error.to_string(), &[]),
+            Err(error) if error.is_unsupported() => answer(Outcome::Unsupported, None, error.to_string(), &[]),
             Err(error) => answer(Outcome::Error, error.step(), error.to_string(), error.computed()),
         }
     }

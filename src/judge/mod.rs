@@ -8,32 +8,36 @@
 //! where an exact variance is zero, the largest that the component has in the run takes its place.
 //!
 //! **Attainable digits** are the worst of twenty answers to problems in which every nonzero datum is moved by a
-//! relative 2⁻⁵³. Where that may destroy the structure of the case (an innovation covariance is singular, a diffuse
-//! start is resolved at a step of its own), only the answers count that have kept it, and never for more than 15 digits.
+//! relative 2⁻⁵³, or 2⁻²⁴ if they are single-precision numbers. Where that may destroy the structure of the case (an innovation covariance is singular, a diffuse
+//! start is resolved at a step of its own), only the answers count that have kept it, and never for more than 15 digits (6 in
+//! single precision). [`Sensitivity`] says which data are to blame where few digits are attainable.
 //!
 //! The verdicts stand in [`Verdict`], with the constants 2, 4 and 6. Nothing else is tuned: 17 and 15 digits and twenty
 //! answers are what is written above.
 
+mod data_kind;
 mod digits;
 mod examinee;
 mod invariants;
 mod judgement;
 mod likelihood;
 mod limits;
-mod nearby;
 mod perturb;
 mod reference;
 mod scale;
+mod sensitivity;
 mod suite;
 mod truth;
 mod verdict;
 
+pub use data_kind::DataKind;
 pub use digits::{Digits, EntryDigits};
 pub use examinee::Examinee;
 pub use invariants::{Asymmetry, Indefiniteness};
 pub use judgement::{Judgement, Score};
 pub use reference::Reference;
 pub use scale::Scale;
+pub use sensitivity::Sensitivity;
 pub use suite::{meaning, suite};
 pub use truth::Truth;
 pub use verdict::Verdict;

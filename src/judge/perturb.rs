@@ -1,6 +1,6 @@
 //! The nearby problems whose answers a backward-stable method could have given.
 //!
-//! Every nonzero datum is moved by a relative 2⁻⁵³, up or down; zeros stay zero, equal matrices stay equal, and so do
+//! Every nonzero datum is moved by a relative 2⁻⁵³ (or 2⁻²⁴, where data are single-precision numbers), up or down; zeros stay zero, equal matrices stay equal, and so do
 //! equal rows of an observation matrix. Covariances stay symmetric, positive semidefinite and of the same rank: a
 //! positive definite one is moved entry by entry, as rounding would move it; a singular one through its factors LDLᵀ.
 
@@ -9,6 +9,7 @@ use std::collections::HashMap;
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use super::data_kind::{DataKind, Moved};
 use crate::matrix::{Ldl, Matrix, Shape};
 use crate::model::{Initial, Observation, Path, Step, Transition};
 use crate::scalar::{Field as _, Precision, Rational, Scalar, ratio};
@@ -26,24 +27,23 @@ enum Kind {
     Noise,
 }
 
-/// Whether the readings are moved with the rest. Where an innovation covariance is singular, moved readings may be such
-/// as the moved system cannot produce.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Readings {
-    Moved,
-    Kept,
-}
-
 /// One seeded perturbation of a problem.
 pub(super) struct Perturbation {
     signs: Pcg64Mcg,
-    readings: Readings,
+    /// What is moved. Where an innovation covariance is singular, moved readings may be such as the moved system cannot produce.
+    what: Moved,
+    /// The relative move.
+    unit: Rational,
+    /// What is at hand.
+    present: DataKind,
     moved: HashMap<(Kind, Matrix<Rational>), Matrix<Rational>>,
 }
 
 impl Perturbation {
-    pub(super) fn seeded(seed: u64, readings: Readings) -> Self {
-        Self { signs: Pcg64Mcg::seed_from_u64(seed), readings, moved: HashMap::new() }
+    pub(super) fn seeded(seed: u64, what: Moved) -> Self {
+        let signs = Pcg64Mcg::seed_from_u64(seed);
+        let unit = ratio(1, 1_i64 << what.bits);
+        Self { signs, what, unit, present: DataKind::Start, moved: HashMap::new() }
     }
 
     /// The problem, every datum moved.
@@ -60,6 +60,7 @@ impl Perturbation {
     }
 
     fn step(&mut self, step: &Step<Rational>) -> Step<Rational> {
+        self.present = DataKind::Reading;
         let reading = self.reading(step);
         let observation = self.once(Kind::Observation, &step.observation, Self::rows);
         let observation_input = self.once(Kind::ObservationInput, &step.observation_input, Self::rows);
@@ -75,7 +76,7 @@ impl Perturbation {
 
     /// Moves the entries of a reading, equal ones of equal rows alike.
     fn reading(&mut self, step: &Step<Rational>) -> Observation<Rational> {
-        if self.readings == Readings::Kept {
+        if !self.what.moves(DataKind::Reading) {
             return step.reading.clone();
         }
         let entries = step.reading.entries();
@@ -117,6 +118,12 @@ impl Perturbation {
         matrix: &Matrix<Rational>,
         mut move_it: impl FnMut(&mut Self, &Matrix<Rational>) -> Matrix<Rational>,
     ) -> Matrix<Rational> {
+        self.present = match kind {
+            Kind::Transition => DataKind::Transition,
+            Kind::Observation => DataKind::Observation,
+            Kind::Input | Kind::ObservationInput => DataKind::Input,
+            Kind::Noise => DataKind::Noise,
+        };
         let key = (kind, matrix.clone());
         if let Some(moved) = self.moved.get(&key) {
             return moved.clone();
@@ -130,9 +137,12 @@ impl Perturbation {
         if value.is_zero() {
             return value.clone();
         }
-        let unit = ratio(1, 1 << 53);
+        let unit = &self.unit;
         let factor =
-            if self.signs.next_u64() >> 63 == 0 { Rational::one().plus(&unit) } else { Rational::one().minus(&unit) };
+            if self.signs.next_u64() >> 63 == 0 { Rational::one().plus(unit) } else { Rational::one().minus(unit) };
+        if !self.what.moves(self.present) {
+            return value.clone();
+        }
         Precision::Rounded { bits: BITS }.of(&value.times(&factor))
     }
 
@@ -208,7 +218,7 @@ mod tests {
 
     fn moved(rows: &[Vec<Rational>], seed: u64) -> (Matrix<Rational>, Matrix<Rational>) {
         let matrix = Matrix::from_rows(rows.to_vec()).expect("rows of one length");
-        let moved = Perturbation::seeded(seed, Readings::Moved).covariance(&matrix);
+        let moved = Perturbation::seeded(seed, Moved::all(53)).covariance(&matrix);
         (matrix, moved)
     }
 
@@ -324,7 +334,7 @@ mod tests {
     fn equal_rows_and_equal_matrices_stay_equal() {
         let rows = [[1, 2], [3, 0], [1, 2]].map(|row| row.map(|entry| ratio(entry, 1)).to_vec());
         let matrix = Matrix::from_rows(rows.to_vec()).expect("rows of one length");
-        let mut perturbation = Perturbation::seeded(5, Readings::Moved);
+        let mut perturbation = Perturbation::seeded(5, Moved::all(53));
         let moved = perturbation.once(Kind::Observation, &matrix, Perturbation::rows);
         assert_eq!(moved.row(0), moved.row(2));
         for (before, after) in matrix.entries().iter().zip(moved.entries()).filter(|(before, _)| !before.is_zero()) {
@@ -339,7 +349,7 @@ mod tests {
     fn every_datum_of_every_case_is_moved() {
         for case in suite().iter().filter(|case| case.expect != Expect::Refuse) {
             let path = case.problem().and_then(|problem| problem.realised()).expect("a case of the suite");
-            let moved = Perturbation::seeded(1, Readings::Moved).of(&path);
+            let moved = Perturbation::seeded(1, Moved::all(53)).of(&path);
             let all = |before: &Matrix<Rational>, after: &Matrix<Rational>| {
                 let mut pairs = before.entries().iter().zip(after.entries());
                 assert_eq!(before.shape(), after.shape());

@@ -4,23 +4,28 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
+use super::data_kind::{DataKind, Moved};
 use super::likelihood::LogLikelihood;
 use super::limits::maximal_bits;
-use super::perturb::{Perturbation, Readings};
+use super::perturb::Perturbation;
 use super::scale::Largest;
-use super::{Digits, Scale, digits, nearby};
-use crate::filter::{Effort, RationalFilter, RationalFilterError, StepValues, StopReason};
+use super::{Digits, Scale, digits};
+use crate::certify::{TieredFilter, Tiers};
+use crate::filter::{RationalFilterError, StepValues, StopReason};
 use crate::gaussian::ConditionError;
 use crate::model::Path;
+use crate::protocol::Numbers;
 use crate::scalar::{Precision, Rational};
 use crate::trace::{Quantity, Values};
 
 /// Significant bits of the truth that digits are counted against: far more than 17 digits need.
 pub(super) const BITS: u32 = 256;
 
-/// The effort that is made for a path.
-fn effort(path: &Path<Rational>) -> Effort {
-    Effort { maximal_bits: Some(maximal_bits(path)), ..Effort::default() }
+/// How the truth about a path is found: exactly while numbers are short, then in enclosures of many more digits than are
+/// counted; exactly again where these cannot decide.
+fn tiers(path: &Path<Rational>) -> Tiers {
+    let maximal_bits = Some(maximal_bits(path));
+    Tiers { exact_bits: 1 << 14, bits: 512, accuracy: BITS.into(), maximal_bits, ..Tiers::default() }
 }
 
 /// How many perturbed problems are solved.
@@ -45,6 +50,19 @@ pub struct Reference {
     largest: Largest,
 }
 
+/// How many bits the numbers of a case have, as the exponent of the relative move of its data.
+pub(super) fn moved_bits(numbers: Numbers) -> u32 {
+    if numbers == Numbers::Binary32 { 24 } else { DOUBLE }
+}
+
+/// The bits of a double.
+const DOUBLE: u32 = 53;
+
+/// [`STRUCTURAL`], and as many digits fewer as the numbers are shorter than doubles.
+fn structural_digits(bits: u32) -> Digits {
+    Digits::new((f64::from(DOUBLE) - f64::from(bits)).mul_add(-std::f64::consts::LOG10_2, STRUCTURAL))
+}
+
 /// The most that counts as attainable where perturbing the data may destroy the structure of the case.
 const STRUCTURAL: f64 = 15.0;
 
@@ -57,8 +75,17 @@ impl Reference {
     /// [`RationalFilterError`] if the exact numbers grow too long for an answer within about a minute: the truth is then
     /// unknown here.
     pub fn of(path: &Path<Rational>) -> Result<Self, RationalFilterError> {
+        Self::of_numbers(path, Numbers::Binary64)
+    }
+
+    /// The same for data that are numbers of this kind: those of single precision are moved by a relative 2⁻²⁴.
+    ///
+    /// # Errors
+    ///
+    /// As for [`of`](Self::of).
+    pub fn of_numbers(path: &Path<Rational>, numbers: Numbers) -> Result<Self, RationalFilterError> {
         let (mut steps, mut contradiction) = (Vec::new(), None);
-        for step in RationalFilter::new(path, effort(path)) {
+        for step in TieredFilter::new(path, tiers(path)) {
             match step {
                 Ok(step) => steps.push(step.fractions(Precision::Rounded { bits: BITS })),
                 Err(StopReason::Condition(reason)) => contradiction = Some((steps.len(), reason)),
@@ -75,14 +102,14 @@ impl Reference {
         let structural = contradiction.is_some() || singular;
         let mut reference =
             Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, largest };
-        reference.attainable = reference.attained(path);
+        reference.attainable = reference.attained(path, moved_bits(numbers));
         Ok(reference)
     }
 
     /// What is left of the answer in the perturbed problems. Where they must not lose the structure of the case, only those
     /// count that have kept it, and never for more than 15 digits.
-    fn attained(&mut self, path: &Path<Rational>) -> Vec<BTreeMap<Quantity, Digits>> {
-        let mut answers = perturbed_answers(path, Readings::Moved);
+    fn attained(&mut self, path: &Path<Rational>, bits: u32) -> Vec<BTreeMap<Quantity, Digits>> {
+        let mut answers = perturbed_answers(path, Moved::all(bits));
         let all = answers.len();
         answers.retain(|answer| self.is_alike(answer));
         self.structural |= answers.len() < all;
@@ -90,10 +117,18 @@ impl Reference {
             return self.kept(&answers, Digits::EXACT);
         }
         if answers.is_empty() {
-            answers = perturbed_answers(path, Readings::Kept);
+            answers = perturbed_answers(path, Moved::all_but(DataKind::Reading, bits));
             answers.retain(|answer| self.is_alike(answer));
         }
-        self.kept(&answers, Digits::new(STRUCTURAL))
+        self.kept(&answers, structural_digits(bits))
+    }
+
+    /// The digits that the answers keep where only these data are moved, without a look at structure; nothing if no answer
+    /// has kept it.
+    pub(super) fn kept_where(&self, path: &Path<Rational>, moved: Moved) -> Option<Vec<BTreeMap<Quantity, Digits>>> {
+        let mut answers = perturbed_answers(path, moved);
+        answers.retain(|answer| self.is_alike(answer));
+        (!answers.is_empty()).then(|| self.kept(&answers, Digits::EXACT))
     }
 
     /// The scale of a quantity at a step; nothing for what is not judged there.
@@ -130,11 +165,13 @@ impl Reference {
 
 /// The answers to the perturbed problems, computed side by side on the threads of the caller's pool; their order does not
 /// depend on that.
-fn perturbed_answers(path: &Path<Rational>, readings: Readings) -> Vec<Vec<StepValues>> {
-    let maximal_bits = effort(path).maximal_bits;
+fn perturbed_answers(path: &Path<Rational>, moved: Moved) -> Vec<Vec<StepValues>> {
     let likelihood = LogLikelihood::default();
     let solve = |seed: u64| {
-        let mut steps = nearby::answer(&Perturbation::seeded(seed, readings).of(path), maximal_bits);
+        let moved = Perturbation::seeded(seed, moved).of(path);
+        let tiers = Tiers { exact_bits: 1 << 11, bits: 256, accuracy: 120, ..tiers(&moved) };
+        let solved = TieredFilter::new(&moved, tiers).map_while(Result::ok);
+        let mut steps: Vec<_> = solved.map(|step| step.fractions(Precision::Rounded { bits: BITS })).collect();
         likelihood.insert_into(&mut steps);
         steps
     };

@@ -28,7 +28,7 @@ impl Truth {
                 "{steps} steps of {states} states and {sensors} sensors are too many for exact numbers: with long ones they take minutes"
             ));
         }
-        match Reference::of(&path) {
+        match Reference::of_numbers(&path, case.numbers) {
             Ok(reference) => Self::Known(Box::new(reference)),
             Err(why) => Self::Unknown(why.to_string()),
         }

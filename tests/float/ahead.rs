@@ -3,7 +3,7 @@
 use std::num::NonZero;
 
 use exact_kalman::filter::one_shot_ahead;
-use exact_kalman::float::{FloatError, Form, predict_ahead};
+use exact_kalman::float::{FloatError, Form, Inverted, predict_ahead};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Coefficient, Initial, Input, Noise, Observation, PathAhead, System, Timing};
 use exact_kalman::scalar::{Rational, ratio};
@@ -13,7 +13,7 @@ use proptest::collection::vec;
 use proptest::option::weighted;
 use proptest::prelude::*;
 
-use super::{DIGITS, digits};
+use super::{DIGITS, ROUNDINGS, digits};
 
 type Q = Matrix<Rational>;
 
@@ -70,7 +70,12 @@ fn values<T: Clone>(mean: &Matrix<T>, covariance: &Matrix<T>) -> Values<T> {
 }
 
 fn least_digits(form: Form, exact: &PathAhead<Rational>, doubles: &PathAhead<f64>) -> f64 {
-    let found = predict_ahead(form, doubles).expect("a regular system");
+    let found = match predict_ahead(form, doubles) {
+        // Transitions of these systems are singular at times, and the information form then says so: `least_digits` beside
+        // this looks whether that is true.
+        Err(FloatError::NoInverse { what: Inverted::State, .. }) if form == Form::Information => return f64::INFINITY,
+        found => found.expect("a regular system"),
+    };
     let truth = one_shot_ahead(exact).expect("consistent data");
     assert_eq!(found.len() + 1, truth.len());
     let pairs = found.iter().zip(&truth[1..]).flat_map(|(found, truth)| {
@@ -128,7 +133,9 @@ fn prediction_ends_where_the_transitions_do() {
     for form in Form::ALL {
         let laws = predict_ahead(form, &walk(3.0)).unwrap();
         assert_eq!(laws.iter().map(Vec::len).collect::<Vec<_>>(), [1, 0], "{form}");
-        assert_eq!((laws[0][0].mean[(0, 0)], laws[0][0].covariance[(0, 0)]), (0.5, 1.5), "{form}");
+        let bound = ROUNDINGS * f64::EPSILON;
+        assert!((laws[0][0].mean[(0, 0)] - 0.5).abs() <= bound, "{form}");
+        assert!((laws[0][0].covariance[(0, 0)] - 1.5).abs() <= bound, "{form}");
     }
 }
 

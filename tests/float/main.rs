@@ -12,21 +12,40 @@ mod steady;
 mod systems;
 mod truth;
 
-use exact_kalman::float::{FloatError, Form, filter};
+use exact_kalman::float::{FloatError, Form, Inverted, filter};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Path, Timing};
 use exact_kalman::scalar::{Rational, ratio};
-use exact_kalman::trace::Quantity;
+use exact_kalman::trace::{Quantity, Values};
 use proptest::prelude::*;
 
 /// What every form keeps of 16 digits on these systems: a condition number below 10⁴ takes at most four, and a few
 /// roundings one more. A wrong formula keeps two or three: it is wrong by an amount of the order of the result.
 const DIGITS: f64 = 11.0;
 
+/// What the roots and reflections of a scalar step may be wrong by, in units of ε: some eight roundings.
+const ROUNDINGS: f64 = 8.0;
+
+/// The fewest digits; of the information form only the steps before a covariance that has no inverse, if it says so where
+/// that is true.
 fn least_digits(form: Form, path: &Path<Rational>) -> f64 {
-    let found = filter(form, &systems::doubles(path)).expect("a regular system");
     let exact = truth::values(path);
-    assert_eq!(found.len(), exact.len());
+    let found = match filter(form, &systems::doubles(path)) {
+        Err(FloatError::NoInverse { what: Inverted::State, step, computed }) if form == Form::Information => {
+            // In departing timing a step computes the law of the next state, too; the last one is not among those known here.
+            let of_next = usize::from(path.timing() == Timing::Departing);
+            let singular = |values: &Values<Rational>| {
+                values[&Quantity::PredictedCovariance].ldl().is_ok_and(|ldl| !ldl.is_positive_definite())
+            };
+            assert!(exact.get(step + of_next).is_none_or(singular), "P has an inverse at step {step}");
+            computed
+        }
+        found => {
+            let found = found.expect("a regular system");
+            assert_eq!(found.len(), exact.len());
+            found
+        }
+    };
     found.iter().zip(&exact).map(|(found, exact)| digits::least(found, exact)).fold(f64::INFINITY, f64::min)
 }
 
@@ -50,36 +69,53 @@ proptest! {
     }
 
     #[test]
-    fn joseph_is_symmetric_to_the_last_bit(
+    fn all_but_two_are_symmetric_to_the_last_bit(
         path in prop_oneof![systems::paths(Timing::Departing), systems::paths(Timing::Arriving)]
     ) {
-        for values in filter(Form::Joseph, &systems::doubles(&path)).expect("a regular system") {
-            for (quantity, value) in values.iter().filter(|(quantity, _)| quantity.is_covariance()) {
-                prop_assert_eq!(value.asymmetry(), None, "{}", quantity);
+        for form in Form::ALL.into_iter().filter(|form| !matches!(form, Form::Textbook | Form::PseudoInverse)) {
+            let found = filter(form, &systems::doubles(&path));
+            for values in found.as_ref().map_or_else(FloatError::computed, Vec::as_slice) {
+                for (quantity, value) in values.iter().filter(|(quantity, _)| quantity.is_covariance()) {
+                    prop_assert_eq!(value.asymmetry(), None, "{}: {}", form, quantity);
+                }
             }
         }
     }
 }
 
+/// The forms that go on where S is singular.
+const SINGULAR: [Form; 5] = [Form::PseudoInverse, Form::Sequential, Form::SquareRoot, Form::Ud, Form::Svd];
+
 #[test]
-fn equal_sensors_without_noise_have_a_pseudo_inverse_only() {
+fn equal_sensors_without_noise_have_no_inverse() {
     let path = systems::twin_sensors(2, &[1, 3, 4, 8]);
-    for form in [Form::Textbook, Form::Joseph] {
+    let exact = truth::values(&path);
+    for form in [Form::Textbook, Form::Joseph, Form::Symmetrised] {
         let error = filter(form, &systems::doubles(&path)).expect_err("S is singular");
         assert!(matches!(error, FloatError::Singular { step: 2, .. }), "{form}: {error}");
-        let exact = truth::values(&path);
         let digits = error.computed().iter().zip(&exact).map(|(found, exact)| digits::least(found, exact));
         assert_eq!(error.computed().len(), 2);
         assert!(digits.fold(f64::INFINITY, f64::min) >= DIGITS);
     }
-    let values = filter(Form::PseudoInverse, &systems::doubles(&path)).expect("S has a pseudo-inverse");
-    for (values, exact) in values.iter().zip(truth::values(&path)) {
-        for (quantity, exact) in exact {
-            // The exact variance of the sensed state is 0 here, so there is no deviation to scale by: compare by the
-            // scale of the problem, which is 1.
-            for (found, exact) in values[&quantity].entries().iter().zip(exact.entries()) {
-                let error = Rational::from_float(*found).unwrap() - exact;
-                assert!(error <= ratio(1, 1 << 40) && -error <= ratio(1, 1 << 40), "{quantity}: {found}, not {exact}");
+    let error = filter(Form::Information, &systems::doubles(&path)).expect_err("R is singular");
+    assert!(matches!(error, FloatError::NoInverse { what: Inverted::Noise, step: 2, .. }), "{error}");
+    assert!(error.is_unsupported() && error.computed().len() == 2);
+    for form in SINGULAR {
+        let values = filter(form, &systems::doubles(&path)).expect("S has a pseudo-inverse");
+        for (step, (values, exact)) in values.iter().zip(&exact).enumerate() {
+            for (quantity, exact) in exact {
+                // A gain that is not that of Moore and Penrose is left out.
+                if *quantity == Quantity::Gain && step >= 2 && form != Form::PseudoInverse {
+                    assert!(!values.contains_key(quantity), "{form}");
+                    continue;
+                }
+                // The exact variance of the sensed state is 0 here, so there is no deviation to scale by: compare by the
+                // scale of the problem, which is 1.
+                for (found, exact) in values[quantity].entries().iter().zip(exact.entries()) {
+                    let error = Rational::from_float(*found).expect("a finite number") - exact;
+                    let bound = ratio(1, 1 << 40);
+                    assert!(error <= bound && -error <= bound, "{form}: {quantity}: {found}, not {exact}");
+                }
             }
         }
     }
@@ -88,7 +124,7 @@ fn equal_sensors_without_noise_have_a_pseudo_inverse_only() {
 #[test]
 fn equal_sensors_without_noise_stop_the_first_step() {
     let path = systems::doubles(&systems::twin_sensors(0, &[1]));
-    for form in [Form::Textbook, Form::Joseph] {
+    for form in [Form::Textbook, Form::Joseph, Form::Symmetrised] {
         assert_eq!(filter(form, &path), Err(FloatError::Singular { step: 0, computed: vec![] }));
     }
 }
@@ -122,7 +158,8 @@ fn a_diffuse_start_is_refused_unless_it_is_none() {
     for form in Form::ALL {
         assert_eq!(filter(form, &walk(1)), Err(FloatError::Diffuse));
         let values = filter(form, &walk(0)).expect("no diffuse part");
-        assert_eq!(values[0][&Quantity::FilteredMean], Matrix::column(vec![1.5]));
+        let mean = values[0][&Quantity::FilteredMean][(0, 0)];
+        assert!((mean - 1.5).abs() <= ROUNDINGS * f64::EPSILON, "{form}: {mean}");
     }
 }
 

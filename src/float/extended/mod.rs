@@ -225,7 +225,7 @@ fn shown<E>(moments: &Moments) -> Result<Law<f64>, ExtendedObstacle<E>> {
 impl<E> From<Obstacle> for ExtendedObstacle<E> {
     fn from(obstacle: Obstacle) -> Self {
         match obstacle {
-            Obstacle::Singular => Self::Singular,
+            Obstacle::Singular | Obstacle::Indefinite | Obstacle::NoInverse(_) => Self::Singular,
             Obstacle::NotFinite | Obstacle::Unconverged => Self::NotFinite,
         }
     }

@@ -1,0 +1,87 @@
+//! Covariances as weighted sums of squares.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::error::Obstacle;
+use super::rank::is_rounding;
+
+/// `rows · diag(weights) · rowsᵀ`, one column for each independent source of unit weight.
+#[derive(Clone, Debug)]
+pub(super) struct Factor {
+    /// n×k
+    pub(super) rows: DMatrix<f64>,
+    /// The variances of the k sources, positive.
+    pub(super) weights: DVector<f64>,
+}
+
+impl Factor {
+    /// `P = L D Lᵀ` with as many columns as P has rank: pivots are taken in the order of what is left of each variance,
+    /// relative to that variance, and end where that is nothing but rounding ([`rank`](super::rank)).
+    ///
+    /// # Errors
+    ///
+    /// [`Obstacle::NotFinite`]; [`Obstacle::Indefinite`] if a variance is negative, or what is left of one.
+    pub(super) fn of(p: &DMatrix<f64>) -> Result<Self, Obstacle> {
+        let n = p.nrows();
+        if !p.iter().all(|entry| entry.is_finite()) {
+            return Err(Obstacle::NotFinite);
+        }
+        let (mut schur, mut columns, mut weights) = (p.clone(), Vec::new(), Vec::new());
+        let mut left: Vec<usize> = (0..n).filter(|&i| p[(i, i)] != 0.0).collect();
+        let share = |schur: &DMatrix<f64>, i: usize| schur[(i, i)] / p[(i, i)];
+        if left.iter().any(|&i| p[(i, i)] < 0.0) {
+            return Err(Obstacle::Indefinite);
+        }
+        while let Some(place) = (0..left.len()).max_by(|&one, &other| {
+            // Of equal ones the first.
+            share(&schur, left[one]).total_cmp(&share(&schur, left[other])).then(other.cmp(&one))
+        }) {
+            let pivot = left[place];
+            let variance = schur[(pivot, pivot)];
+            if variance <= 0.0 || is_rounding(variance, p[(pivot, pivot)], n) {
+                break;
+            }
+            left.remove(place);
+            let mut column = DVector::zeros(n);
+            column[pivot] = 1.0;
+            for &i in &left {
+                column[i] = schur[(i, pivot)] / variance;
+            }
+            for &i in &left {
+                for &j in &left {
+                    schur[(i, j)] -= column[i] * schur[(j, pivot)];
+                }
+            }
+            columns.push(column);
+            weights.push(variance);
+        }
+        if left.iter().any(|&i| schur[(i, i)] < 0.0 && !is_rounding(schur[(i, i)], p[(i, i)], n)) {
+            return Err(Obstacle::Indefinite);
+        }
+        let rows = DMatrix::from_fn(n, columns.len(), |i, j| columns[j][i]);
+        Ok(Self { rows, weights: DVector::from_vec(weights) })
+    }
+
+    /// The rank that was found.
+    pub(super) fn rank(&self) -> usize {
+        self.weights.len()
+    }
+
+    /// The covariance; symmetric to the last bit.
+    pub(super) fn covariance(&self) -> DMatrix<f64> {
+        let Self { rows, weights } = self;
+        let entry = |i: usize, j: usize| (0..weights.len()).map(|k| rows[(i, k)] * weights[k] * rows[(j, k)]).sum();
+        DMatrix::from_fn(rows.nrows(), rows.nrows(), |i, j| entry(i.max(j), i.min(j)))
+    }
+
+    /// The same with all weights one.
+    pub(super) fn of_unit_weights(&self) -> DMatrix<f64> {
+        let mut rows = self.rows.clone();
+        for (mut column, &weight) in rows.column_iter_mut().zip(&self.weights) {
+            if weight.to_bits() != 1.0_f64.to_bits() {
+                column *= weight.sqrt();
+            }
+        }
+        rows
+    }
+}
