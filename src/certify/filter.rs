@@ -7,7 +7,7 @@ use super::{Undecided, target};
 use crate::filter::StepValues;
 use crate::matrix::Matrix;
 use crate::model::{Before, Path, Step, Timing};
-use crate::scalar::{Interval, Precision, Rational, Scalar as _, ratio};
+use crate::scalar::{Dyadic, Interval, Rational, Scalar as _, Toward};
 use crate::trace::{Quantity, Values};
 
 /// The results of one step: each entry lies in its interval.
@@ -19,11 +19,12 @@ pub struct CertifiedStep {
 
 impl CertifiedStep {
     /// The middle of each interval, in fractions of so many bits.
-    pub fn middles(&self, precision: Precision) -> StepValues {
-        let half = ratio(1, 2);
+    pub fn middles(&self, bits: u64) -> StepValues {
+        let half = Dyadic::new(1.into(), -1);
         let middle = |interval: &Interval| {
-            let ends = [interval.lower(), interval.upper()].map(|end| end.value().unwrap_or_else(Rational::zero));
-            precision.of(&(&half * (&ends[0] + &ends[1])))
+            let twice = interval.lower().plus(interval.upper(), bits, Toward::Below);
+            // A number that long has no place in a filter's answer.
+            twice.times(&half, bits, Toward::Below).value().unwrap_or_else(Rational::zero)
         };
         let values: Values<Rational> =
             self.values.iter().map(|(&quantity, entries)| (quantity, entries.map(middle))).collect();

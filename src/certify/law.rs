@@ -12,8 +12,8 @@ use crate::scalar::Rational;
 /// `z = A x + b + w` with cov(w) = Q and, with the noise of what is read, S.
 #[derive(Clone, Debug)]
 pub(super) struct Target {
-    /// A, over e.
-    pub(super) map: Dyadics,
+    /// A, over e; nothing for the identity.
+    pub(super) map: Option<Dyadics>,
     /// Q, over w.
     pub(super) noise: Dyadics,
     /// S, over w.
@@ -50,7 +50,8 @@ pub(super) struct Law {
 
 /// A target in fractions.
 struct Exact {
-    map: Matrix<Rational>,
+    /// Nothing for the identity.
+    map: Option<Matrix<Rational>>,
     noise: Matrix<Rational>,
     cross: Matrix<Rational>,
     input: Input,
@@ -77,13 +78,13 @@ impl Law {
         let (n, m) = (c.columns(), observed.len());
         let shared = |transition: &Transition<Rational>| transition.cross_noise.select_columns(&observed);
         let stays = |cross: Matrix<Rational>| Exact {
-            map: Matrix::identity(n),
+            map: None,
             noise: Matrix::zeros(n, n),
             cross,
             input: Input::None,
         };
         let moves = |transition: &Transition<Rational>, cross: Matrix<Rational>| Exact {
-            map: transition.matrix.clone(),
+            map: Some(transition.matrix.clone()),
             noise: transition.noise.clone(),
             cross,
             input: Input::Transition,
@@ -122,13 +123,13 @@ impl Law {
         ahead: Option<Exact>,
     ) -> Self {
         let targets = || predicted.iter().chain([&filtered]).chain(&ahead);
-        let maps = targets().map(|target| &target.map).chain([observation]);
+        let maps = targets().filter_map(|target| target.map.as_ref()).chain([observation]);
         let odd = maps.fold(BigInt::one(), |odd, map| odd_denominator(odd, map.entries()));
         let square = &odd * &odd;
         let noises = targets().flat_map(|target| [&target.noise, &target.cross]).chain([noise]);
         let noise_odd = noises.fold(square.clone(), |odd, noise| odd_denominator(odd, noise.entries()));
         let target = |exact: &Exact| Target {
-            map: Dyadics::of(&exact.map, &odd),
+            map: exact.map.as_ref().map(|map| Dyadics::of(map, &odd)),
             noise: Dyadics::of(&exact.noise, &noise_odd),
             cross: Dyadics::of(&exact.cross, &noise_odd),
             input: exact.input,

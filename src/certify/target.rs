@@ -28,6 +28,30 @@ const GAP_BITS: u64 = 40;
 /// Bits of the gain beyond those of the state: its defect enters the mean linearly.
 const GUARD: u64 = 16;
 
+/// A, as integers over e.
+struct Map<'l> {
+    /// Nothing for the identity.
+    matrix: Option<&'l Dyadics>,
+    odd: &'l BigInt,
+}
+
+impl Map<'_> {
+    fn times(&self, right: &Dyadics) -> Dyadics {
+        self.matrix.map_or_else(|| right.scaled(self.odd), |matrix| matrix.times(right))
+    }
+
+    fn congruence(&self, middle: &Dyadics) -> Dyadics {
+        self.matrix.map_or_else(|| middle.scaled(&(self.odd * self.odd)), |matrix| matrix.congruence(middle))
+    }
+
+    fn less(&self, other: &Dyadics) -> Dyadics {
+        match self.matrix {
+            Some(matrix) => matrix.minus(other),
+            None => Dyadics { mantissas: Matrix::identity(other.rows()), exponent: 0 }.scaled(self.odd).minus(other),
+        }
+    }
+}
+
 /// The law of a target given the reading.
 pub(super) fn updated(
     belief: &Enclosed,
@@ -37,7 +61,7 @@ pub(super) fn updated(
     innovation: &Innovation,
     bits: u64,
 ) -> Enclosed {
-    let a = &target.map;
+    let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
     // All over w: Γ̃ = A P̃ Hᵀ + S, and A P̃ Aᵀ + Q.
     let gamma = a.times(&innovation.seen_covariance).scaled(&law.lift).plus(&target.cross);
     let prior = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
@@ -45,7 +69,7 @@ pub(super) fn updated(
     let defect = gain.times(&innovation.covariance).minus(&gamma);
     // A P̃ Aᵀ + Q − Γ̃K̃ᵀ − K̃Γ̃ᵀ + K̃Σ̃K̃ᵀ
     let joseph = prior.minus(&gamma.times(&gain.transposed())).plus(&gain.times(&defect.transposed()));
-    let closed = a.minus(&gain.times(&law.observation));
+    let closed = a.less(&gain.times(&law.observation));
     let kept = closed.congruence(&belief.gap);
     let missed = defect.times(&innovation.whitening.transposed()).square();
     let two = above(&ratio(2, 1));
@@ -69,7 +93,7 @@ pub(super) fn updated(
 
 /// The law of a target without a reading.
 pub(super) fn moved(belief: &Enclosed, law: &Law, data: &Data, target: &Target, bits: u64) -> Enclosed {
-    let a = &target.map;
+    let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
     let exact = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
     let square = over(&Dyadic::one(), &law.odd, 2);
     let gap = a.congruence(&belief.gap).multiple(&square);

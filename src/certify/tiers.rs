@@ -4,7 +4,7 @@ use std::iter::Skip;
 
 use super::CertifiedFilter;
 use super::filter::CertifiedStep;
-use crate::filter::{Effort, RationalFilter, RationalStep, StopReason};
+use crate::filter::{Effort, RationalFilter, RationalStep, StepValues, StopReason};
 use crate::matrix::Matrix;
 use crate::model::{Path, Timing};
 use crate::scalar::{Precision, Rational};
@@ -139,10 +139,10 @@ impl Iterator for TieredFilter<'_> {
 
 impl TieredStep {
     /// The results as fractions of so many bits: rounded, or the middles of what encloses them.
-    pub fn fractions(&self, precision: Precision) -> crate::filter::StepValues {
+    pub fn fractions(&self, bits: u32) -> StepValues {
         match self {
-            Self::Exact(step) => step.fractions(precision),
-            Self::Certified(step) => step.middles(precision),
+            Self::Exact(step) => step.fractions(Precision::Rounded { bits }),
+            Self::Certified(step) => step.middles(bits.into()),
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::filter::{RationalFilterError, StepValues, StopReason};
 use crate::gaussian::ConditionError;
 use crate::model::Path;
 use crate::protocol::Numbers;
-use crate::scalar::{Precision, Rational};
+use crate::scalar::Rational;
 use crate::trace::{Quantity, Values};
 
 /// Significant bits of the truth that digits are counted against: far more than 17 digits need.
@@ -87,7 +87,7 @@ impl Reference {
         let (mut steps, mut contradiction) = (Vec::new(), None);
         for step in TieredFilter::new(path, tiers(path)) {
             match step {
-                Ok(step) => steps.push(step.fractions(Precision::Rounded { bits: BITS })),
+                Ok(step) => steps.push(step.fractions(BITS)),
                 Err(StopReason::Condition(reason)) => contradiction = Some((steps.len(), reason)),
                 Err(reason) => return Err(RationalFilterError { step: steps.len(), reason, computed: Vec::new() }),
             }
@@ -171,7 +171,7 @@ fn perturbed_answers(path: &Path<Rational>, moved: Moved) -> Vec<Vec<StepValues>
         let moved = Perturbation::seeded(seed, moved).of(path);
         let tiers = Tiers { exact_bits: 1 << 11, bits: 256, accuracy: 120, ..tiers(&moved) };
         let solved = TieredFilter::new(&moved, tiers).map_while(Result::ok);
-        let mut steps: Vec<_> = solved.map(|step| step.fractions(Precision::Rounded { bits: BITS })).collect();
+        let mut steps: Vec<_> = solved.map(|step| step.fractions(BITS)).collect();
         likelihood.insert_into(&mut steps);
         steps
     };

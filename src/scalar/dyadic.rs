@@ -89,7 +89,8 @@ impl Dyadic {
         }
         let power = BigInt::one() << shift;
         Some(if self.exponent < 0 {
-            Rational::new(self.mantissa.clone(), power)
+            // The mantissa is odd.
+            Rational::new_raw(self.mantissa.clone(), power)
         } else {
             (&self.mantissa * power).into()
         })
