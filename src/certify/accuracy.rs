@@ -33,7 +33,10 @@ fn of_moments(values: &Values<Interval>, mean: Quantity, covariance: Quantity) -
     of_mean.chain(of_covariance(covariance, &deviations)).min().unwrap_or(ALL)
 }
 
-fn of_covariance<'a>(covariance: &'a Matrix<Interval>, deviations: &'a [Option<i64>]) -> impl Iterator<Item = i64> + 'a {
+fn of_covariance<'a>(
+    covariance: &'a Matrix<Interval>,
+    deviations: &'a [Option<i64>],
+) -> impl Iterator<Item = i64> + 'a {
     let n = covariance.rows();
     (0..n).flat_map(move |i| (0..=i).map(move |j| (i, j))).map(|(i, j)| {
         // Twice the magnitude of √(pᵢᵢ pⱼⱼ).

@@ -158,3 +158,111 @@ impl Iterator for CertifiedFilter<'_> {
         }
     }
 }
+
+#[cfg(all(test, feature = "judge"))]
+mod tests {
+    use rand_core::{Rng, SeedableRng};
+    use rand_pcg::Pcg64Mcg;
+
+    use super::super::dyadics::Dyadics;
+    use super::*;
+    use crate::filter::filter;
+    use crate::model::{Initial, Noise, Observation, System};
+    use crate::scalar::ratio;
+
+    /// Small fractions, coordinates in units that lie far apart, noise that may be singular or absent.
+    struct Draw(Pcg64Mcg);
+
+    impl Draw {
+        fn below(&mut self, count: u64) -> u64 {
+            self.0.next_u64() % count
+        }
+
+        fn entry(&mut self) -> Rational {
+            let numerator = i64::try_from(self.below(13)).expect("small") - 6;
+            ratio(numerator, i64::try_from(1 + self.below(4)).expect("small"))
+        }
+
+        fn matrix(&mut self, rows: usize, columns: usize) -> Matrix<Rational> {
+            Matrix::from_fn(rows, columns, |_, _| self.entry())
+        }
+
+        fn units(&mut self, n: usize) -> Matrix<Rational> {
+            let mut unit = || ratio(2, 1).pow(i32::try_from(self.below(61)).expect("small") - 30);
+            Matrix::diagonal(&(0..n).map(|_| unit()).collect::<Vec<_>>())
+        }
+
+        fn path(&mut self) -> Path<Rational> {
+            let n = usize::try_from(1 + self.below(3)).expect("small");
+            let m = usize::try_from(1 + self.below(2)).expect("small");
+            let (units, sensor_units) = (self.units(n), self.units(m));
+            let back = Matrix::from_fn(n, n, |i, j| if i == j { units[(i, i)].recip() } else { Rational::zero() });
+            let is_known = self.below(3) == 0;
+            let initial = if is_known { Matrix::zeros(n, n) } else { &units * self.matrix(n, n) };
+            let d = &units * self.matrix(n, 2);
+            let f = if self.below(3) == 0 { Matrix::zeros(m, 2) } else { &sensor_units * self.matrix(m, 2) };
+            let timing = if self.below(2) == 0 { Timing::Arriving } else { Timing::Departing };
+            let before =
+                if timing == Timing::Arriving && self.below(2) == 0 { Before::Transition } else { Before::Observation };
+            let system = System {
+                timing,
+                initial: Initial::new(before, &units * self.matrix(n, 1), &initial * initial.transpose()),
+                transition: (&units * self.matrix(n, n) * &back).into(),
+                observation: (&sensor_units * self.matrix(m, n) * &back).into(),
+                noise: Noise::Factors { process: d.into(), observation: f.into() },
+                input: None,
+                observation_input: None,
+            };
+            let readings: Vec<_> = (0..7)
+                .map(|_| match self.below(6) {
+                    0 => Observation::missing(m),
+                    _ => Observation::complete((&sensor_units * self.matrix(m, 1)).entries().to_vec()),
+                })
+                .collect();
+            system.realised(&readings).expect("a sound system")
+        }
+    }
+
+    fn fractions(dyadics: &Dyadics) -> Matrix<Rational> {
+        Matrix::from_fn(dyadics.rows(), dyadics.mantissas.columns(), |i, j| dyadics.entry(i, j).value().expect("short"))
+    }
+
+    /// −W ≤ P − P̃ ≤ W and (x̂ − x̃)(x̂ − x̃)ᵀ ≤ E in the order of Loewner, decided exactly, along paths of all kinds and with
+    /// bits that are far too few.
+    #[test]
+    fn beliefs_are_enclosed_in_the_order_of_loewner() {
+        let (mut seen, mut undecided) = (0, 0);
+        for seed in 0..400 {
+            let mut draw = Draw(Pcg64Mcg::seed_from_u64(seed));
+            let path = draw.path();
+            let bits = [8, 14, 24, 53, 128][usize::try_from(draw.below(5)).expect("small")];
+            let records = match filter(&path) {
+                Ok(trace) => trace.records,
+                Err(error) => error.computed,
+            };
+            let mut steps = CertifiedFilter::new(&path, bits);
+            for k in 0..records.len() {
+                let Some(Ok(_)) = steps.next() else {
+                    undecided += 1;
+                    break;
+                };
+                let exact = match path.timing() {
+                    Timing::Arriving => &records[k].filtered,
+                    Timing::Departing => match records.get(k + 1) {
+                        Some(record) => &record.predicted,
+                        None => break,
+                    },
+                };
+                let belief = steps.belief.as_ref().expect("a belief");
+                let [covariance, gap, mean, ellipsoid] =
+                    [&belief.covariance, &belief.gap, &belief.mean, &belief.ellipsoid].map(fractions);
+                let off = &exact.covariance - covariance;
+                assert!(off.loewner_le(&gap).is_ok() && (-&off).loewner_le(&gap).is_ok(), "seed {seed}, step {k}");
+                let error = &exact.mean - mean;
+                assert!((&error * error.transpose()).loewner_le(&ellipsoid).is_ok(), "seed {seed}, step {k}");
+                seen += 1;
+            }
+        }
+        assert!(seen > 1000 && undecided < 200, "{seen} enclosed, {undecided} undecided");
+    }
+}

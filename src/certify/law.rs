@@ -77,12 +77,8 @@ impl Law {
         let r = step.observation_noise.select(&observed, &observed);
         let (n, m) = (c.columns(), observed.len());
         let shared = |transition: &Transition<Rational>| transition.cross_noise.select_columns(&observed);
-        let stays = |cross: Matrix<Rational>| Exact {
-            map: None,
-            noise: Matrix::zeros(n, n),
-            cross,
-            input: Input::None,
-        };
+        let stays =
+            |cross: Matrix<Rational>| Exact { map: None, noise: Matrix::zeros(n, n), cross, input: Input::None };
         let moves = |transition: &Transition<Rational>, cross: Matrix<Rational>| Exact {
             map: Some(transition.matrix.clone()),
             noise: transition.noise.clone(),

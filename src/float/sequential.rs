@@ -83,15 +83,11 @@ impl Recursion for Sequential {
             reader.take(&h, own.dot(&innovation), &own, &deviations);
         }
         let Reader { shift, gain, joint, regular } = reader;
-        let filtered = Moments {
-            mean: mean + shift.rows(0, n),
-            covariance: joint.view((0, 0), (n, n)).into_owned(),
-        };
+        let filtered = Moments { mean: mean + shift.rows(0, n), covariance: joint.view((0, 0), (n, n)).into_owned() };
         let ahead = departure.map(|Departure { transition, .. }| {
             let Transition { matrix: a, input, .. } = transition;
-            let onward = DMatrix::from_fn(n, 2 * n, |i, j| {
-                if j < n { a[(i, j)] } else { f64::from(u8::from(i + n == j)) }
-            });
+            let onward =
+                DMatrix::from_fn(n, 2 * n, |i, j| if j < n { a[(i, j)] } else { f64::from(u8::from(i + n == j)) });
             Moments {
                 mean: a * &filtered.mean + input + shift.rows(n, n),
                 covariance: image(&onward, &joint.view((0, 0), (2 * n, 2 * n)).into_owned()),

@@ -54,8 +54,7 @@ impl Reduction for Reflections {
         };
         let correction = &cross * solved(&|i| innovation[i]);
         let gain = (rank == m).then(|| {
-            let columns: Vec<_> =
-                (0..m).map(|k| &cross * solved(&|i| if i == k { 1.0 } else { 0.0 })).collect();
+            let columns: Vec<_> = (0..m).map(|k| &cross * solved(&|i| if i == k { 1.0 } else { 0.0 })).collect();
             DMatrix::from_fn(count, m, |i, k| columns[k][i])
         });
         let rest = array.view((m, rank), (count, array.ncols() - rank)).into_owned();
@@ -104,8 +103,7 @@ fn reflect(array: &mut DMatrix<f64>, i: usize, column: usize, length: f64) {
         let magnitude: f64 = (0..width).map(|j| (array[(k, column + j)] * v[j]).abs()).sum::<f64>() / scale;
         for j in 0..width {
             let entry = array[(k, column + j)];
-            array[(k, column + j)] =
-                rounded_off(entry - along * v[j], entry.abs() + magnitude * v[j].abs(), width + 1);
+            array[(k, column + j)] = rounded_off(entry - along * v[j], entry.abs() + magnitude * v[j].abs(), width + 1);
         }
     }
     array[(i, column)] = -sign * length;
