@@ -33,6 +33,6 @@ pub use invariants::{Asymmetry, Indefiniteness};
 pub use judgement::{Judgement, Score};
 pub use reference::Reference;
 pub use scale::Scale;
-pub use suite::{meaning, suite};
+pub use suite::{Category, Flag, SUITE_VERSION, categories, flag, flags, meaning, suite, suite_seeded};
 pub use truth::Truth;
 pub use verdict::Verdict;
