@@ -6,7 +6,7 @@ use exact_kalman::filter::{filter, one_shot};
 use exact_kalman::judge::{Judgement, Score, Truth, suite};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::Path;
-use exact_kalman::protocol::{Answer, Case, Number, Outcome, Reply};
+use exact_kalman::protocol::{Answer, Case, MAXIMAL_LITERAL_CHARACTERS, Number, Numbers, Outcome, Reply};
 use exact_kalman::scalar::{Precision, Rational, exact_value, nearest_double};
 use exact_kalman::trace::{Quantity, Values};
 use rayon::prelude::*;
@@ -87,11 +87,8 @@ pub(crate) fn exact_values(case: &Case) -> Vec<Values<Rational>> {
 /// The exact answer, through the text of an answer; literals that no answer may hold are rounded to 400 bits.
 pub(crate) fn exact_answer(case: &Case) -> Answer {
     let short = |value: &Rational| {
-        if value.numer().bits() + value.denom().bits() > 13_000 {
-            Precision::Rounded { bits: 400 }.of(value)
-        } else {
-            value.clone()
-        }
+        let is_long = Numbers::Exact.write(value).len() > MAXIMAL_LITERAL_CHARACTERS;
+        if is_long { Precision::Rounded { bits: 400 }.of(value) } else { value.clone() }
     };
     let values =
         |values: Values<Rational>| values.into_iter().map(|(name, matrix)| (name, matrix.map(short))).collect();
