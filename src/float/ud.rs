@@ -75,6 +75,8 @@ struct Triangular {
     variances: DVector<f64>,
     /// The magnitudes of what the entries of U were computed from.
     terms: DMatrix<f64>,
+    /// The deviations of the rows at first: no chain of steps rounds by more.
+    most: DVector<f64>,
 }
 
 impl Triangular {
@@ -93,17 +95,18 @@ impl Triangular {
                 }
             }
         }
-        Self { upper, variances, terms }
+        Self { upper, variances, terms, most: DVector::from_vec(rest.most) }
     }
 
     /// Takes a reading h x without noise, and hands out its gain; nothing if it says nothing.
     fn take(&mut self, h: &DVector<f64>) -> Option<DVector<f64>> {
-        let Self { upper, variances, terms } = self;
+        let Self { upper, variances, terms, most } = self;
         let n = h.len();
         let (mut alpha, mut b, mut of_b) = (0.0, DVector::zeros(n), DVector::zeros(n));
         for j in 0..n {
             let sum: f64 = (0..=j).map(|i| upper[(i, j)] * h[i]).sum();
             let of_f: f64 = (0..=j).map(|i| (upper[(i, j)].abs() + terms[(i, j)]) * h[i].abs()).sum();
+            let of_f = of_f.min(h.abs().dot(most) / variances[j].sqrt());
             let f = rounded_off(sum, of_f, j + 1);
             let v = variances[j] * f;
             let of_v = variances[j] * of_f;
@@ -117,7 +120,8 @@ impl Triangular {
                 let of_entry = entry.abs() + terms[(i, j)];
                 if alpha != 0.0 {
                     terms[(i, j)] += of_b[i] * (f / alpha).abs() + f64::abs(b[i]) * (of_f / alpha);
-                    upper[(i, j)] = rounded_off(entry - b[i] * (f / alpha), entry.abs() + terms[(i, j)], 2);
+                    let of_changed = (entry.abs() + terms[(i, j)]).min(most[i] / variances[j].sqrt());
+                    upper[(i, j)] = rounded_off(entry - b[i] * (f / alpha), of_changed, 2);
                 }
                 b[i] += entry * v;
                 of_b[i] += of_entry * v.abs() + entry.abs() * of_v;
