@@ -38,6 +38,6 @@ pub use judgement::{Judgement, Score};
 pub use reference::Reference;
 pub use scale::Scale;
 pub use sensitivity::Sensitivity;
-pub use suite::{meaning, suite};
+pub use suite::{Category, Flag, SUITE_VERSION, categories, flag, flags, meaning, suite, suite_seeded};
 pub use truth::Truth;
 pub use verdict::Verdict;

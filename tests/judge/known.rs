@@ -3,22 +3,22 @@
 use std::sync::LazyLock;
 
 use exact_kalman::float::Form;
-use exact_kalman::judge::{Examinee as _, Judgement, Truth, suite};
+use exact_kalman::judge::{Examinee as _, Judgement, Truth};
 use exact_kalman::protocol::Case;
 use rayon::prelude::*;
 
+use crate::samples::TRUTHS;
+
 /// A case, what the judge knows of it, and the judgement on each form.
 pub(crate) struct Known {
-    pub(crate) case: Case,
-    pub(crate) truth: Truth,
+    pub(crate) case: &'static Case,
     pub(crate) forms: Vec<(Form, Judgement)>,
 }
 
 impl Known {
-    fn of(case: Case) -> Self {
-        let truth = Truth::of(&case);
-        let judged = |form: Form| (form, Judgement::of(case.expect, &truth, &{ form }.reply(&case)));
-        Self { forms: Form::ALL.map(judged).to_vec(), truth, case }
+    fn of(case: &'static Case, truth: &Truth) -> Self {
+        let judged = |form: Form| (form, Judgement::of(case.expect, truth, &{ form }.reply(case)));
+        Self { forms: Form::ALL.map(judged).to_vec(), case }
     }
 
     pub(crate) fn judgement(&self, form: Form) -> &Judgement {
@@ -27,7 +27,8 @@ impl Known {
     }
 }
 
-static SUITE: LazyLock<Vec<Known>> = LazyLock::new(|| suite().into_par_iter().map(Known::of).collect());
+static SUITE: LazyLock<Vec<Known>> = 
+    LazyLock::new(|| TRUTHS.par_iter().map(|(case, truth)| Known::of(case, truth)).collect());
 
 /// Every case of the suite.
 pub(crate) fn known() -> &'static [Known] {

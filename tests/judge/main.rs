@@ -9,6 +9,7 @@ mod digits;
 mod exact_solver;
 mod forms;
 mod known;
+mod references;
 mod samples;
 mod suite;
 mod verdicts;
