@@ -19,7 +19,7 @@ use super::error::Obstacle;
 use super::factor::Factor;
 use super::moments::Moments;
 use super::observed::Observed;
-use super::rank::product;
+use super::rank::{product, product_of_terms};
 use super::recursion::{Recursion, Update};
 use super::transition::{Departure, Transition};
 
@@ -54,20 +54,22 @@ pub(super) struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    /// `C W + F`, in one product, so that what cancels between the two is seen to cancel.
-    pub(super) fn readings(&self) -> DMatrix<f64> {
+    /// `C W + F`, in one product, so that what cancels between the two is seen to cancel; and the terms of each entry.
+    pub(super) fn readings(&self) -> (DMatrix<f64>, DMatrix<f64>) {
         sum_of_image(self.observation, &self.state, &self.noise)
     }
 
-    /// W above `A W + D`, for any W and D.
-    pub(super) fn others(&self, state: &DMatrix<f64>, process: Option<&DMatrix<f64>>) -> DMatrix<f64> {
-        process.map_or_else(|| state.clone(), |process| stacked(state, &sum_of_image(self.transition, state, process)))
+    /// W above `A W + D`, for any W and D, and the terms of each entry.
+    pub(super) fn others(&self, state: &DMatrix<f64>, process: Option<&DMatrix<f64>>) -> (DMatrix<f64>, DMatrix<f64>) {
+        let Some(process) = process else { return (state.clone(), state.abs()) };
+        let (ahead, terms) = sum_of_image(self.transition, state, process);
+        (stacked(state, &ahead), stacked(&state.abs(), &terms))
     }
 }
 
-/// `a x + y`, entries that are nothing but rounding set to zero.
-fn sum_of_image(a: &DMatrix<f64>, x: &DMatrix<f64>, y: &DMatrix<f64>) -> DMatrix<f64> {
-    product(&side_by_side(a, &DMatrix::identity(y.nrows(), y.nrows())), &stacked(x, y))
+/// `a x + y`, entries that are nothing but rounding set to zero, and the terms of each entry.
+fn sum_of_image(a: &DMatrix<f64>, x: &DMatrix<f64>, y: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
+    product_of_terms(&side_by_side(a, &DMatrix::identity(y.nrows(), y.nrows())), &stacked(x, y))
 }
 
 /// The other rows given the readings.
@@ -146,7 +148,7 @@ impl<R: Reduction> Recursion for Factored<R> {
         let Factor { rows: state, weights } = state;
         let stage = Stage { state, noise, process, weights, observation: &observed.matrix, transition };
         let innovation = &observed.value - &observed.matrix * mean;
-        let innovation_covariance = Factor { rows: stage.readings(), weights: stage.weights.clone() }.covariance();
+        let innovation_covariance = Factor { rows: stage.readings().0, weights: stage.weights.clone() }.covariance();
         let Conditioned { rest, correction, gain } = R::conditioned(&stage, &innovation)?;
         let mut means = mean.clone();
         if let Some(Departure { transition, .. }) = departure {

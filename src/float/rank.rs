@@ -4,6 +4,9 @@
 //! made it: |t₁ + … + t_k| ≤ 8kε(|t₁| + … + |t_k|), ε = 2⁻⁵². The terms are what it was computed from, so the decision is the same in
 //! all units, also where each state and each sensor has one of its own; nothing is compared with a fixed number.
 //!
+//! Where sums are made of sums, as in a chain of reflections, the terms of each entry are carried along with it: what an earlier
+//! step rounded off a large number is still there after the number itself has cancelled.
+//!
 //! A sum that is no more than that has no right digit left, so nothing is lost that was there. What is kept by the decision is
 //! structure: a reading that can say nothing new has an innovation of variance zero and not 10⁻¹⁷, and nothing is
 //! divided by that. A number that is small because its terms are is never taken for zero.
@@ -27,8 +30,13 @@ pub(super) fn rounded_off(sum: f64, terms: f64, count: usize) -> f64 {
 
 /// `a b`, entries that are nothing but rounding set to zero.
 pub(super) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    product_of_terms(a, b).0
+}
+
+/// The same with the magnitudes of the terms of each entry.
+pub(super) fn product_of_terms(a: &DMatrix<f64>, b: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
     let terms = a.abs() * b.abs();
-    (a * b).zip_map(&terms, |sum, terms| rounded_off(sum, terms, a.ncols()))
+    ((a * b).zip_map(&terms, |sum, terms| rounded_off(sum, terms, a.ncols())), terms)
 }
 
 /// `p` without the rows and columns of components whose variance is nothing but the rounding of these terms: those are known.

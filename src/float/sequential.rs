@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::error::Obstacle;
 use super::moments::Moments;
 use super::observed::Observed;
-use super::rank::{is_rounding, product, rounded_off, settled};
+use super::rank::{is_rounding, product_of_terms, rounded_off, settled};
 use super::recursion::{Recursion, Update};
 use super::symmetric::{congruence, with_transpose};
 use super::transition::{Departure, Transition};
@@ -54,35 +54,41 @@ impl Recursion for Sequential {
         let innovation = value - c * mean;
         let innovation_covariance = congruence(c, p) + with_transpose(&(c * state_noise)) + r;
         // L⁻¹, and the variances D.
-        let (whitening, variances) = decorrelated(r);
+        let Decorrelation { whitening, variances, terms: of_variances } = Decorrelation::of(r);
         let noise_at = if departure.is_some() { 2 * n } else { n };
         let all = noise_at + m;
-        let mut joint = DMatrix::zeros(all, all);
+        let (mut joint, mut terms) = (DMatrix::zeros(all, all), DMatrix::zeros(all, all));
         joint.view_mut((0, 0), (n, n)).copy_from(p);
         let mut share = |first: usize, cross: &DMatrix<f64>| {
-            let cross = cross * whitening.transpose();
-            joint.view_mut((first, noise_at), (n, m)).copy_from(&cross);
-            joint.view_mut((noise_at, first), (m, n)).copy_from(&cross.transpose());
+            let (cross, of_cross) = product_of_terms(cross, &whitening.transpose());
+            for (matrix, cross) in [(&mut joint, cross), (&mut terms, of_cross)] {
+                matrix.view_mut((first, noise_at), (n, m)).copy_from(&cross);
+                matrix.view_mut((noise_at, first), (m, n)).copy_from(&cross.transpose());
+            }
         };
         share(0, state_noise);
         if let Some(Departure { transition, cross_noise }) = departure {
             share(n, cross_noise);
             joint.view_mut((n, n), (n, n)).copy_from(&transition.noise);
         }
-        for (i, &variance) in variances.iter().enumerate() {
-            joint[(noise_at + i, noise_at + i)] = variance;
+        terms.view_mut((0, 0), (noise_at, noise_at)).copy_from(&joint.view((0, 0), (noise_at, noise_at)).abs());
+        for i in 0..m {
+            joint[(noise_at + i, noise_at + i)] = variances[i];
+            terms[(noise_at + i, noise_at + i)] = of_variances[i];
         }
-        let mut reader = Reader { shift: DVector::zeros(all), gain: DMatrix::zeros(all, m), joint, regular: true };
-        let deviations = reader.joint.diagonal().map(|variance| variance.max(0.0).sqrt());
-        let rows = product(&whitening, c);
+        let mut reader =
+            Reader { shift: DVector::zeros(all), gain: DMatrix::zeros(all, m), joint, terms, regular: true };
+        let (rows, of_rows) = product_of_terms(&whitening, c);
         for i in 0..m {
             let mut h = DVector::zeros(all);
             h.rows_mut(0, n).copy_from(&rows.row(i).transpose());
-            h[noise_at + i] = 1.0;
+            let mut of_h = DVector::zeros(all);
+            of_h.rows_mut(0, n).copy_from(&of_rows.row(i).transpose());
+            (h[noise_at + i], of_h[noise_at + i]) = (1.0, 1.0);
             let own = whitening.row(i).transpose();
-            reader.take(&h, own.dot(&innovation), &own, &deviations);
+            reader.take(&h, &of_h, own.dot(&innovation), &own);
         }
-        let Reader { shift, gain, joint, regular } = reader;
+        let Reader { shift, gain, joint, regular, .. } = reader;
         let filtered = Moments { mean: mean + shift.rows(0, n), covariance: joint.view((0, 0), (n, n)).into_owned() };
         let ahead = departure.map(|Departure { transition, .. }| {
             let Transition { matrix: a, input, .. } = transition;
@@ -106,27 +112,32 @@ struct Reader {
     gain: DMatrix<f64>,
     /// J
     joint: DMatrix<f64>,
+    /// The magnitudes of what its entries were computed from.
+    terms: DMatrix<f64>,
     /// Whether no entry was passed over.
     regular: bool,
 }
 
 impl Reader {
-    /// Takes the reading `h z = value`, which is the combination `own` of the innovations.
-    fn take(&mut self, h: &DVector<f64>, value: f64, own: &DVector<f64>, deviations: &DVector<f64>) {
+    /// Takes the reading `h z = value`, which is the combination `own` of the innovations; `of_h` is what h was computed from.
+    fn take(&mut self, h: &DVector<f64>, of_h: &DVector<f64>, value: f64, own: &DVector<f64>) {
         let cross = &self.joint * h;
+        let of_cross = &self.terms * h.abs() + self.joint.abs() * of_h;
         let variance = h.dot(&cross);
-        let largest = h.abs().dot(deviations);
-        if is_rounding(variance, largest * largest, h.len()) {
+        let of_variance = h.abs().dot(&of_cross) + of_h.dot(&cross.abs());
+        if is_rounding(variance, of_variance, h.len()) {
             self.regular = false;
             return;
         }
         let k = &cross / variance;
         self.shift += &k * (value - h.dot(&self.shift));
         self.gain = &self.gain + &k * (own.transpose() - h.transpose() * &self.gain);
-        let before = self.joint.diagonal().abs();
         // Entries above the diagonal are copies of those below.
         let taken = DMatrix::from_fn(h.len(), h.len(), |i, j| k[i.max(j)] * cross[i.min(j)]);
-        self.joint = settled(&self.joint - taken, &before, h.len());
+        self.terms += (&of_cross / variance.abs()) * cross.abs().transpose()
+            + k.abs() * of_cross.transpose()
+            + k.abs() * k.abs().transpose() * of_variance;
+        self.joint = settled(&self.joint - taken, &self.terms.diagonal(), h.len());
     }
 }
 
@@ -137,24 +148,40 @@ fn image(a: &DMatrix<f64>, p: &DMatrix<f64>) -> DMatrix<f64> {
     settled(congruence(a, p), &terms, 2 * p.nrows())
 }
 
-/// L⁻¹ and D of `R = L D Lᵀ`; where nothing is left of a variance but rounding it is zero.
-fn decorrelated(r: &DMatrix<f64>) -> (DMatrix<f64>, DVector<f64>) {
-    let m = r.nrows();
-    let (mut schur, mut whitening) = (r.clone(), DMatrix::identity(m, m));
-    let mut variances = DVector::zeros(m);
-    for k in 0..m {
-        variances[k] = rounded_off(schur[(k, k)], r[(k, k)].abs(), m);
-        if variances[k] == 0.0 {
-            continue;
-        }
-        for i in k + 1..m {
-            let factor = schur[(i, k)] / variances[k];
-            let row = whitening.row(i) - whitening.row(k) * factor;
-            whitening.set_row(i, &row);
-            for j in k + 1..=i {
-                schur[(i, j)] -= factor * schur[(j, k)];
+/// `R = L D Lᵀ`, where a variance of which nothing is left but rounding is zero.
+struct Decorrelation {
+    /// L⁻¹
+    whitening: DMatrix<f64>,
+    /// D
+    variances: DVector<f64>,
+    /// The magnitudes of what D was computed from.
+    terms: DVector<f64>,
+}
+
+impl Decorrelation {
+    fn of(r: &DMatrix<f64>) -> Self {
+        let m = r.nrows();
+        let (mut schur, mut of_schur, mut whitening) = (r.clone(), r.abs(), DMatrix::identity(m, m));
+        let mut variances = DVector::zeros(m);
+        for k in 0..m {
+            let (variance, of_variance) = (schur[(k, k)], of_schur[(k, k)]);
+            variances[k] = rounded_off(variance, of_variance, m);
+            if variances[k] == 0.0 {
+                continue;
+            }
+            for i in k + 1..m {
+                let factor = schur[(i, k)] / variance;
+                let row = whitening.row(i) - whitening.row(k) * factor;
+                whitening.set_row(i, &row);
+                for j in k + 1..=i {
+                    let other = schur[(j, k)].abs() / variance.abs();
+                    of_schur[(i, j)] +=
+                        factor.abs() * of_schur[(j, k)] + other * of_schur[(i, k)] + factor.abs() * other * of_variance;
+                    schur[(i, j)] -= factor * schur[(j, k)];
+                }
             }
         }
+        let terms = of_schur.diagonal();
+        Self { whitening, variances, terms }
     }
-    (whitening, variances)
 }

@@ -30,17 +30,19 @@ impl Reduction for Reflections {
 
     fn compressed(factor: Factor) -> Result<Factor, Obstacle> {
         let mut rows = factor.of_unit_weights();
-        let pivots = triangularise(&mut rows, factor.rows.nrows());
+        let terms = rows.abs();
+        let pivots = triangularise(&mut rows, terms, factor.rows.nrows());
         let rank = pivots.iter().flatten().count();
         Ok(Factor { rows: rows.columns(0, rank).into_owned(), weights: DVector::repeat(rank, 1.0) })
     }
 
     fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
-        let others = stage.others(&stage.state, stage.process.as_ref());
+        let (others, other_terms) = stage.others(&stage.state, stage.process.as_ref());
         let (m, count) = (stage.noise.nrows(), others.nrows());
-        let rows = stacked(&stage.readings(), &others);
-        let mut array = Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
-        let pivots = triangularise(&mut array, m);
+        let (readings, terms) = stage.readings();
+        let unit = |rows| Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
+        let (mut array, terms) = (unit(stacked(&readings, &others)), unit(stacked(&terms, &other_terms)));
+        let pivots = triangularise(&mut array, terms, m);
         let rank = pivots.iter().flatten().count();
         let cross = array.view((m, 0), (count, rank));
         // S^½ e = ν, and S^½ X = I for the gain, by forward substitution in the rows that have a pivot.
@@ -64,17 +66,18 @@ impl Reduction for Reflections {
 }
 
 /// Makes the first `count` rows lower triangular by reflections of the columns; for each of them the column of its pivot, or
-/// nothing if nothing is left of it.
-pub(super) fn triangularise(array: &mut DMatrix<f64>, count: usize) -> Vec<Option<usize>> {
+/// nothing if nothing is left of it. `terms` are the magnitudes of what each entry was computed from.
+pub(super) fn triangularise(array: &mut DMatrix<f64>, mut terms: DMatrix<f64>, count: usize) -> Vec<Option<usize>> {
     let (mut pivots, mut column) = (Vec::with_capacity(count), 0);
+    // A chain of reflections rounds a row by no more than its length, however long the chain of bounds.
+    let most: Vec<f64> = (0..array.nrows()).map(|i| terms.row(i).norm()).collect();
     for i in 0..count {
-        let row = array.view((i, column), (1, array.ncols() - column)).into_owned();
-        let length = length(&row.row(0).into_owned());
+        let length = length(&array.view((i, column), (1, array.ncols() - column)).row(0).into_owned());
         if length == 0.0 {
             pivots.push(None);
             continue;
         }
-        reflect(array, i, column, length);
+        reflect(array, &mut terms, &most, (i, column), length);
         pivots.push(Some(column));
         column += 1;
     }
@@ -88,22 +91,28 @@ fn length(row: &RowDVector<f64>) -> f64 {
 }
 
 /// Turns row i, from the column on, into (length, 0, …, 0), and the rows below with it.
-fn reflect(array: &mut DMatrix<f64>, i: usize, column: usize, length: f64) {
+fn reflect(array: &mut DMatrix<f64>, terms: &mut DMatrix<f64>, most: &[f64], (i, column): (usize, usize), length: f64) {
     let width = array.ncols() - column;
     if width == 1 {
         return;
     }
     // The direction of the reflection for a row of length one; its first entry does not cancel.
     let mut v: Vec<f64> = (0..width).map(|j| array[(i, column + j)] / length).collect();
+    let of_v: Vec<f64> = (0..width).map(|j| terms[(i, column + j)] / length).collect();
     let sign = if v[0] < 0.0 { -1.0 } else { 1.0 };
     let scale = 1.0 + v[0].abs();
     v[0] += sign;
     for k in i + 1..array.nrows() {
         let along: f64 = (0..width).map(|j| array[(k, column + j)] * v[j]).sum::<f64>() / scale;
-        let magnitude: f64 = (0..width).map(|j| (array[(k, column + j)] * v[j]).abs()).sum::<f64>() / scale;
+        // What the terms of the row and those of v make of it.
+        let of_along: f64 = (0..width)
+            .map(|j| terms[(k, column + j)] * v[j].abs() + array[(k, column + j)].abs() * of_v[j])
+            .sum::<f64>()
+            / scale;
         for j in 0..width {
-            let entry = array[(k, column + j)];
-            array[(k, column + j)] = rounded_off(entry - along * v[j], entry.abs() + magnitude * v[j].abs(), width + 1);
+            let place = (k, column + j);
+            terms[place] += of_along * v[j].abs() + along.abs() * of_v[j];
+            array[place] = rounded_off(array[place] - along * v[j], terms[place].min(most[k]), width + 1);
         }
     }
     array[(i, column)] = -sign * length;

@@ -37,7 +37,8 @@ impl Reduction for Rotations {
         let mut rows = factor.of_unit_weights();
         let n = rows.nrows();
         // First to no more columns than there can be directions.
-        let rank = triangularise(&mut rows, n).iter().flatten().count();
+        let terms = rows.abs();
+        let rank = triangularise(&mut rows, terms, n).iter().flatten().count();
         let mut rows = rows.columns(0, rank).into_owned();
         orthogonalise(&mut rows, None);
         // V and D apart: V = (X Z) D⁻¹.
@@ -57,7 +58,7 @@ impl Reduction for Rotations {
 
     fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
         let unit = |rows| Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
-        let (readings, rows) = (unit(stage.readings()), unit(stage.others(&stage.state, stage.process.as_ref())));
+        let (readings, rows) = (unit(stage.readings().0), unit(stage.others(&stage.state, stage.process.as_ref()).0));
         let m = readings.nrows();
         // Each reading in units of its deviation, to a power of two.
         let units = DVector::from_fn(m, |i, _| power_of_two(readings.row(i).norm()));

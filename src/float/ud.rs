@@ -30,7 +30,7 @@ impl Reduction for GramSchmidt {
     const DESCRIPTION: &'static str = "P = UDU', scalar readings by Bierman, transitions by Thornton, no square roots";
 
     fn compressed(factor: Factor) -> Result<Factor, Obstacle> {
-        let Triangular { upper, variances } = Triangular::of(factor);
+        let Triangular { upper, variances, .. } = Triangular::of(factor);
         let kept: Vec<usize> = (0..variances.len()).filter(|&j| variances[j] != 0.0).collect();
         Ok(Factor { rows: upper.select_columns(&kept), weights: variances.select_rows(&kept) })
     }
@@ -60,10 +60,10 @@ impl Reduction for GramSchmidt {
         let state = joint.upper.rows(first, n).into_owned();
         let departs = stage.process.is_some();
         let process = departs.then(|| joint.upper.rows(m, n).into_owned());
-        let rest = Factor { rows: stage.others(&state, process.as_ref()), weights: joint.variances };
+        let rest = Factor { rows: stage.others(&state, process.as_ref()).0, weights: joint.variances };
         let of_others = |rows: &DMatrix<f64>| {
             let ahead = departs.then(|| rows.rows(m, n).into_owned());
-            stage.others(&rows.rows(first, n).into_owned(), ahead.as_ref())
+            stage.others(&rows.rows(first, n).into_owned(), ahead.as_ref()).0
         };
         let correction = of_others(&DMatrix::from_column_slice(first + n, 1, shift.as_slice())).column(0).into_owned();
         Ok(Conditioned { rest, correction, gain: regular.then(|| of_others(&gain)) })
@@ -74,35 +74,43 @@ impl Reduction for GramSchmidt {
 struct Triangular {
     upper: DMatrix<f64>,
     variances: DVector<f64>,
+    /// The magnitudes of what the entries of U were computed from.
+    terms: DMatrix<f64>,
+    /// The deviations of the rows at first: no chain of steps rounds by more.
+    most: DVector<f64>,
 }
 
 impl Triangular {
     /// The rows made orthogonal in the weights of the columns, from the last one on.
     fn of(factor: Factor) -> Self {
-        let Factor { mut rows, weights } = factor;
+        let Factor { rows, weights } = factor;
         let n = rows.nrows();
-        let (mut upper, mut variances) = (DMatrix::identity(n, n), DVector::zeros(n));
+        let mut rest = Rest { terms: rows.abs(), most: Vec::new(), rows, weights };
+        rest.most = (0..n).map(|i| rest.square(i).sqrt()).collect();
+        let (mut upper, mut variances, mut terms) = (DMatrix::identity(n, n), DVector::zeros(n), DMatrix::zeros(n, n));
         for j in (0..n).rev() {
-            variances[j] = (0..weights.len()).map(|k| weights[k] * rows[(j, k)] * rows[(j, k)]).sum();
+            variances[j] = rest.square(j);
             if variances[j] != 0.0 {
                 for i in 0..j {
-                    upper[(i, j)] = orthogonalise(&mut rows, i, j, variances[j], &weights);
+                    (upper[(i, j)], terms[(i, j)]) = rest.orthogonalise(i, j, variances[j]);
                 }
             }
         }
-        Self { upper, variances }
+        Self { upper, variances, terms, most: DVector::from_vec(rest.most) }
     }
 
     /// Takes a reading h x without noise, and hands out its gain; nothing if it says nothing.
     fn take(&mut self, h: &DVector<f64>) -> Option<DVector<f64>> {
-        let Self { upper, variances } = self;
+        let Self { upper, variances, terms, most } = self;
         let n = h.len();
-        let (mut alpha, mut b) = (0.0, DVector::zeros(n));
+        let (mut alpha, mut b, mut of_b) = (0.0, DVector::zeros(n), DVector::zeros(n));
         for j in 0..n {
             let sum: f64 = (0..=j).map(|i| upper[(i, j)] * h[i]).sum();
-            let terms: f64 = (0..=j).map(|i| (upper[(i, j)] * h[i]).abs()).sum();
-            let f = rounded_off(sum, terms, j + 1);
+            let of_f: f64 = (0..=j).map(|i| (upper[(i, j)].abs() + terms[(i, j)]) * h[i].abs()).sum();
+            let of_f = of_f.min(h.abs().dot(most) / variances[j].sqrt());
+            let f = rounded_off(sum, of_f, j + 1);
             let v = variances[j] * f;
+            let of_v = variances[j] * of_f;
             let raised = alpha + f * v;
             if v == 0.0 || raised == 0.0 {
                 continue;
@@ -110,27 +118,52 @@ impl Triangular {
             variances[j] *= alpha / raised;
             for i in 0..j {
                 let entry = upper[(i, j)];
+                let of_entry = entry.abs() + terms[(i, j)];
                 if alpha != 0.0 {
-                    let change = b[i] * (f / alpha);
-                    upper[(i, j)] = rounded_off(entry - change, entry.abs() + f64::abs(change), 2);
+                    terms[(i, j)] += of_b[i] * (f / alpha).abs() + f64::abs(b[i]) * (of_f / alpha);
+                    let of_changed = (entry.abs() + terms[(i, j)]).min(most[i] / variances[j].sqrt());
+                    upper[(i, j)] = rounded_off(entry - b[i] * (f / alpha), of_changed, 2);
                 }
                 b[i] += entry * v;
+                of_b[i] += of_entry * v.abs() + entry.abs() * of_v;
             }
-            b[j] = v;
+            (b[j], of_b[j]) = (v, of_v);
             alpha = raised;
         }
         (alpha != 0.0).then(|| b / alpha)
     }
 }
 
-/// Takes from row x what it has along row y, and says how many times y that is.
-fn orthogonalise(rows: &mut DMatrix<f64>, x: usize, y: usize, variance: f64, weights: &DVector<f64>) -> f64 {
-    let terms = |j: usize| weights[j] * rows[(x, j)] * rows[(y, j)];
-    let k = (0..weights.len()).map(terms).sum::<f64>() / variance;
-    let magnitude = (0..weights.len()).map(|j| terms(j).abs()).sum::<f64>() / variance;
-    for j in 0..weights.len() {
-        let (entry, other) = (rows[(x, j)], rows[(y, j)]);
-        rows[(x, j)] = rounded_off(entry - k * other, entry.abs() + magnitude * other.abs(), weights.len() + 1);
+/// Rows while they are made orthogonal.
+struct Rest {
+    rows: DMatrix<f64>,
+    weights: DVector<f64>,
+    /// The magnitudes of what each entry was computed from.
+    terms: DMatrix<f64>,
+    /// The lengths of the rows at first: no chain of steps rounds by more.
+    most: Vec<f64>,
+}
+
+impl Rest {
+    /// Σ λⱼ xⱼ²
+    fn square(&self, x: usize) -> f64 {
+        (0..self.weights.len()).map(|j| self.weights[j] * self.rows[(x, j)] * self.rows[(x, j)]).sum()
     }
-    k
+
+    /// Takes from row x what it has along row y: how many times y that is, and what this was computed from.
+    fn orthogonalise(&mut self, x: usize, y: usize, variance: f64) -> (f64, f64) {
+        let Self { rows, weights, terms, most } = self;
+        let columns = weights.len();
+        let k = (0..columns).map(|j| weights[j] * rows[(x, j)] * rows[(y, j)]).sum::<f64>() / variance;
+        let of_k = (0..columns)
+            .map(|j| weights[j] * (terms[(x, j)] * rows[(y, j)].abs() + rows[(x, j)].abs() * terms[(y, j)]))
+            .sum::<f64>()
+            / variance;
+        for j in 0..columns {
+            terms[(x, j)] += of_k * rows[(y, j)].abs() + k.abs() * terms[(y, j)];
+            let most = most[x] / weights[j].sqrt();
+            rows[(x, j)] = rounded_off(rows[(x, j)] - k * rows[(y, j)], terms[(x, j)].min(most), columns + 1);
+        }
+        (k, of_k)
+    }
 }

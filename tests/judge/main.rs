@@ -3,9 +3,12 @@
 
 mod attainable;
 mod bad_cases;
+mod best_form;
 mod built_in;
 mod digits;
 mod exact_solver;
+mod forms;
+mod known;
 mod likelihood;
 mod references;
 mod samples;
