@@ -22,7 +22,8 @@ fn directory() -> PathBuf {
 }
 
 fn checksum(content: &str) -> String {
-    Sha256::digest(content.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect()
+    let nibbles = Sha256::digest(content.as_bytes()).into_iter().flat_map(|byte| [byte / 16, byte % 16]);
+    nibbles.filter_map(|nibble| char::from_digit(nibble.into(), 16)).collect()
 }
 
 /// All files of the suite as they are to be, by their paths.
