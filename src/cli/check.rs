@@ -101,7 +101,11 @@ impl Check {
                 }
             }
             Format::Text => {
-                writeln!(out, "{} f64 Kalman filters against exact rational arithmetic, by category:", Form::ALL.len())?;
+                writeln!(
+                    out,
+                    "{} f64 Kalman filters against exact rational arithmetic, by category:",
+                    Form::ALL.len()
+                )?;
                 writeln!(out, "cases that agree / cases that the form supports, and the fewest correct digits.\n")?;
                 writeln!(out, "{}", side_by_side(reports, self.all))?;
                 for form in Form::ALL {

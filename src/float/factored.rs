@@ -131,7 +131,8 @@ impl<R: Reduction> Recursion for Factored<R> {
     ) -> Result<Update<Belief>, Obstacle> {
         let Belief { mean, factor, noise } = belief;
         let n = mean.len();
-        let (own, transition) = (factor.rank(), departure.map_or(&observed.matrix, |departure| &departure.transition.matrix));
+        let (own, transition) =
+            (factor.rank(), departure.map_or(&observed.matrix, |departure| &departure.transition.matrix));
         let (state, process, noise) = match (noise, departure) {
             (Some(noise), _) => (factor.clone(), None, noise.clone()),
             (None, Some(Departure { transition, cross_noise })) => {
@@ -147,8 +148,7 @@ impl<R: Reduction> Recursion for Factored<R> {
         let Factor { rows: state, weights } = state;
         let stage = Stage { state, noise, process, weights, observation: &observed.matrix, transition };
         let innovation = &observed.value - &observed.matrix * mean;
-        let innovation_covariance =
-            Factor { rows: stage.readings().0, weights: stage.weights.clone() }.covariance();
+        let innovation_covariance = Factor { rows: stage.readings().0, weights: stage.weights.clone() }.covariance();
         let Conditioned { rest, correction, gain } = R::conditioned(&stage, &innovation)?;
         let mut means = mean.clone();
         if let Some(Departure { transition, .. }) = departure {
@@ -172,11 +172,7 @@ impl<R: Reduction> Recursion for Factored<R> {
 }
 
 /// D and F in common columns, from `(Q M; Mᵀ R)`.
-fn joint_noise(
-    q: &DMatrix<f64>,
-    cross: &DMatrix<f64>,
-    r: &DMatrix<f64>,
-) -> Result<(Factor, DMatrix<f64>), Obstacle> {
+fn joint_noise(q: &DMatrix<f64>, cross: &DMatrix<f64>, r: &DMatrix<f64>) -> Result<(Factor, DMatrix<f64>), Obstacle> {
     let (n, m) = cross.shape();
     let joint = stacked(&side_by_side(q, cross), &side_by_side(&cross.transpose(), r));
     let Factor { rows, weights } = Factor::of(&joint)?;
@@ -192,9 +188,13 @@ fn side_by_side(left: &DMatrix<f64>, right: &DMatrix<f64>) -> DMatrix<f64> {
 
 pub(super) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
     let rows = above.nrows();
-    DMatrix::from_fn(rows + below.nrows(), above.ncols(), |i, j| {
-        if i < rows { above[(i, j)] } else { below[(i - rows, j)] }
-    })
+    DMatrix::from_fn(
+        rows + below.nrows(),
+        above.ncols(),
+        |i, j| {
+            if i < rows { above[(i, j)] } else { below[(i - rows, j)] }
+        },
+    )
 }
 
 /// The sum of two independent vectors.

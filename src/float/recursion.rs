@@ -30,11 +30,7 @@ pub(super) trait Recursion {
     /// The belief after a transition whose noise is shared with that of the reading which follows (arriving timing).
     ///
     /// `observed` holds what is shared, also for [`updated`](Self::updated); a form that keeps no noise apart needs no more.
-    fn arrived(
-        belief: &Self::Belief,
-        transition: &Transition,
-        _observed: &Observed,
-    ) -> Result<Self::Belief, Obstacle> {
+    fn arrived(belief: &Self::Belief, transition: &Transition, _observed: &Observed) -> Result<Self::Belief, Obstacle> {
         Self::predicted(belief, transition)
     }
 

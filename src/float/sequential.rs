@@ -76,7 +76,8 @@ impl Recursion for Sequential {
             joint[(noise_at + i, noise_at + i)] = variances[i];
             terms[(noise_at + i, noise_at + i)] = of_variances[i];
         }
-        let mut reader = Reader { shift: DVector::zeros(all), gain: DMatrix::zeros(all, m), joint, terms, regular: true };
+        let mut reader =
+            Reader { shift: DVector::zeros(all), gain: DMatrix::zeros(all, m), joint, terms, regular: true };
         let (rows, of_rows) = product_of_terms(&whitening, c);
         for i in 0..m {
             let mut h = DVector::zeros(all);
@@ -88,15 +89,11 @@ impl Recursion for Sequential {
             reader.take(&h, &of_h, own.dot(&innovation), &own);
         }
         let Reader { shift, gain, joint, regular, .. } = reader;
-        let filtered = Moments {
-            mean: mean + shift.rows(0, n),
-            covariance: joint.view((0, 0), (n, n)).into_owned(),
-        };
+        let filtered = Moments { mean: mean + shift.rows(0, n), covariance: joint.view((0, 0), (n, n)).into_owned() };
         let ahead = departure.map(|Departure { transition, .. }| {
             let Transition { matrix: a, input, .. } = transition;
-            let onward = DMatrix::from_fn(n, 2 * n, |i, j| {
-                if j < n { a[(i, j)] } else { f64::from(u8::from(i + n == j)) }
-            });
+            let onward =
+                DMatrix::from_fn(n, 2 * n, |i, j| if j < n { a[(i, j)] } else { f64::from(u8::from(i + n == j)) });
             Moments {
                 mean: a * &filtered.mean + input + shift.rows(n, n),
                 covariance: image(&onward, &joint.view((0, 0), (2 * n, 2 * n)).into_owned()),
@@ -178,9 +175,8 @@ impl Decorrelation {
                 whitening.set_row(i, &row);
                 for j in k + 1..=i {
                     let other = schur[(j, k)].abs() / variance.abs();
-                    of_schur[(i, j)] += factor.abs() * of_schur[(j, k)]
-                        + other * of_schur[(i, k)]
-                        + factor.abs() * other * of_variance;
+                    of_schur[(i, j)] +=
+                        factor.abs() * of_schur[(j, k)] + other * of_schur[(i, k)] + factor.abs() * other * of_variance;
                     schur[(i, j)] -= factor * schur[(j, k)];
                 }
             }

@@ -56,8 +56,7 @@ impl Reduction for Reflections {
         };
         let correction = &cross * solved(&|i| innovation[i]);
         let gain = (rank == m).then(|| {
-            let columns: Vec<_> =
-                (0..m).map(|k| &cross * solved(&|i| if i == k { 1.0 } else { 0.0 })).collect();
+            let columns: Vec<_> = (0..m).map(|k| &cross * solved(&|i| if i == k { 1.0 } else { 0.0 })).collect();
             DMatrix::from_fn(count, m, |i, k| columns[k][i])
         });
         let rest = array.view((m, rank), (count, array.ncols() - rank)).into_owned();
@@ -92,13 +91,7 @@ fn length(row: &RowDVector<f64>) -> f64 {
 }
 
 /// Turns row i, from the column on, into (length, 0, …, 0), and the rows below with it.
-fn reflect(
-    array: &mut DMatrix<f64>,
-    terms: &mut DMatrix<f64>,
-    most: &[f64],
-    (i, column): (usize, usize),
-    length: f64,
-) {
+fn reflect(array: &mut DMatrix<f64>, terms: &mut DMatrix<f64>, most: &[f64], (i, column): (usize, usize), length: f64) {
     let width = array.ncols() - column;
     if width == 1 {
         return;

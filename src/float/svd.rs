@@ -42,11 +42,18 @@ impl Reduction for Rotations {
         let mut rows = rows.columns(0, rank).into_owned();
         orthogonalise(&mut rows, None);
         // V and D apart: V = (X Z) D⁻¹.
-        let mut kept: Vec<(f64, usize)> =
-            rows.column_iter().map(|column| column.norm_squared()).zip(0..).filter(|(square, _)| *square > 0.0).collect();
+        let mut kept: Vec<(f64, usize)> = rows
+            .column_iter()
+            .map(|column| column.norm_squared())
+            .zip(0..)
+            .filter(|(square, _)| *square > 0.0)
+            .collect();
         kept.sort_by(|(one, _), (other, _)| other.total_cmp(one));
         let vectors = DMatrix::from_fn(n, kept.len(), |i, k| rows[(i, kept[k].1)] / kept[k].0.sqrt());
-        Ok(Factor { rows: vectors, weights: DVector::from_iterator(kept.len(), kept.iter().map(|(square, _)| *square)) })
+        Ok(Factor {
+            rows: vectors,
+            weights: DVector::from_iterator(kept.len(), kept.iter().map(|(square, _)| *square)),
+        })
     }
 
     fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {

@@ -37,7 +37,8 @@ impl Reduction for GramSchmidt {
 
     fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
         let (n, m) = (stage.state.nrows(), stage.noise.nrows());
-        let process = stage.process.as_ref().map_or_else(|| stage.noise.clone(), |process| stacked(&stage.noise, process));
+        let process =
+            stage.process.as_ref().map_or_else(|| stage.noise.clone(), |process| stacked(&stage.noise, process));
         let rows = stacked(&process, &stage.state);
         let first = rows.nrows() - n;
         let mut joint = Triangular::of(Factor { rows, weights: stage.weights.clone() });
@@ -161,8 +162,7 @@ impl Rest {
         for j in 0..columns {
             terms[(x, j)] += of_k * rows[(y, j)].abs() + k.abs() * terms[(y, j)];
             let most = most[x] / weights[j].sqrt();
-            rows[(x, j)] =
-                rounded_off(rows[(x, j)] - k * rows[(y, j)], terms[(x, j)].min(most), columns + 1);
+            rows[(x, j)] = rounded_off(rows[(x, j)] - k * rows[(y, j)], terms[(x, j)].min(most), columns + 1);
         }
         (k, of_k)
     }

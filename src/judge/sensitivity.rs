@@ -50,9 +50,10 @@ pub struct Sensitivity {
 impl Sensitivity {
     /// Finds it; nothing if there is nothing of which any digit could be lost.
     pub fn of(path: &Path<Rational>, numbers: Numbers, reference: &Reference) -> Option<Self> {
-        let places = reference.attainable.iter().enumerate().flat_map(|(step, digits)| {
-            digits.iter().map(move |(&quantity, &attainable)| (step, quantity, attainable))
-        });
+        let places =
+            reference.attainable.iter().enumerate().flat_map(|(step, digits)| {
+                digits.iter().map(move |(&quantity, &attainable)| (step, quantity, attainable))
+            });
         // Of equal ones the first.
         let (step, quantity, attainable) = places
             .filter(|(step, quantity, _)| reference.scale(*step, *quantity).is_some())

@@ -20,7 +20,11 @@ pub fn side_by_side(reports: &[Report], all: bool) -> String {
         out += "No case tells them apart.\n";
     } else {
         let title = if all { "Each case" } else { "The cases that tell them apart" };
-        let _ = write!(out, "{title}, fewest digits of any mean/of any covariance\n\n{}\n", trimmed(&by_case(reports, &shown)));
+        let _ = write!(
+            out,
+            "{title}, fewest digits of any mean/of any covariance\n\n{}\n",
+            trimmed(&by_case(reports, &shown))
+        );
     }
     out.push('\n');
     for report in reports {
@@ -59,8 +63,7 @@ fn by_category(reports: &[Report]) -> Table {
 
 /// `agreeing/supported digits`.
 fn summary(judgements: &[&Judgement]) -> String {
-    let supported: Vec<_> =
-        judgements.iter().filter(|judgement| judgement.verdict != Verdict::Unsupported).collect();
+    let supported: Vec<_> = judgements.iter().filter(|judgement| judgement.verdict != Verdict::Unsupported).collect();
     if supported.is_empty() {
         return "-".to_owned();
     }
@@ -85,7 +88,9 @@ fn by_case(reports: &[Report], rows: &[usize]) -> Table {
             .map(|judgement| pair(judgement, |score| score.fewest_attainable))
             .find(|text| !text.is_empty());
         let id = reports.first().and_then(|report| report.results.get(row)).map(|(case, _)| printable(&case.id));
-        table.add_row([id.unwrap_or_default(), attainable.unwrap_or_default()].into_iter().chain(judgements().map(cell)));
+        table.add_row(
+            [id.unwrap_or_default(), attainable.unwrap_or_default()].into_iter().chain(judgements().map(cell)),
+        );
     }
     aligned(table, reports.len() + 1)
 }
@@ -116,9 +121,10 @@ fn aligned(mut table: Table, last: usize) -> Table {
 /// `mean/covariance`, the fewest of all that were judged; nothing if none was.
 fn pair(judgement: &Judgement, digits: impl Fn(&Score) -> Digits) -> String {
     let of = |is_mean: bool| {
-        let scores = judgement.scores.iter().filter(|score| {
-            if is_mean { score.quantity.is_vector() } else { score.quantity.is_covariance() }
-        });
+        let scores = judgement
+            .scores
+            .iter()
+            .filter(|score| if is_mean { score.quantity.is_vector() } else { score.quantity.is_covariance() });
         scores.map(&digits).reduce(Digits::min)
     };
     let text = |digits: Option<Digits>| digits.map_or_else(|| "-".to_owned(), |digits| digits.to_string());

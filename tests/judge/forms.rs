@@ -46,7 +46,10 @@ impl Problem {
             initial: Initial::new(Before::Observation, self.mean, self.covariance),
             transition: Coefficient::per_step(self.a),
             observation: Coefficient::per_step(self.c),
-            noise: Noise::Factors { process: Coefficient::per_step(self.d), observation: Coefficient::per_step(self.f) },
+            noise: Noise::Factors {
+                process: Coefficient::per_step(self.d),
+                observation: Coefficient::per_step(self.f),
+            },
             input: Some(Input { matrix: None, vector: Coefficient::per_step(self.u) }),
             observation_input: None,
         };
@@ -107,7 +110,10 @@ fn problem(shape: Shape, seed: u64) -> Problem {
         let transition = Matrix::from_fn(n, n, |i, j| ratio(draws.next(1) + 2 * i64::from(i == j), 4));
         let own = |shared: Matrix<Rational>, before: usize, count: usize, after: usize| {
             let rows = shared.rows();
-            shared.beside(&Matrix::zeros(rows, before)).beside(&Matrix::identity(count)).beside(&Matrix::zeros(rows, after))
+            shared
+                .beside(&Matrix::zeros(rows, before))
+                .beside(&Matrix::identity(count))
+                .beside(&Matrix::zeros(rows, after))
         };
         let process = own(draws.matrix(n, 2, 2, 2), 0, n, sensors);
         let repeat = Matrix::identity(sensors).above(&draws.matrix(redundant, sensors, 2, 1));
@@ -155,11 +161,19 @@ fn truth(path: &Path<Rational>) -> Truth {
 }
 
 /// Random systems of this shape, all with the same seeds.
-fn each(shapes: impl Strategy<Value = Shape>, cases: u32, check: impl Fn(&Path<Rational>) -> Result<(), TestCaseError>) {
+fn each(
+    shapes: impl Strategy<Value = Shape>,
+    cases: u32,
+    check: impl Fn(&Path<Rational>) -> Result<(), TestCaseError>,
+) {
     each_problem(shapes, cases, |problem| check(&problem.path()));
 }
 
-fn each_problem(shapes: impl Strategy<Value = Shape>, cases: u32, check: impl Fn(Problem) -> Result<(), TestCaseError>) {
+fn each_problem(
+    shapes: impl Strategy<Value = Shape>,
+    cases: u32,
+    check: impl Fn(Problem) -> Result<(), TestCaseError>,
+) {
     let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
     let result = TestRunner::new_with_rng(
         config,
@@ -173,13 +187,8 @@ fn each_problem(shapes: impl Strategy<Value = Shape>, cases: u32, check: impl Fn
 
 fn shapes(redundant: std::ops::RangeInclusive<usize>) -> impl Strategy<Value = Shape> {
     let timing = prop_oneof![Just(Timing::Departing), Just(Timing::Arriving)];
-    (timing, 1usize..=8, 1usize..=3, redundant, 1usize..=5).prop_map(|(timing, states, sensors, redundant, steps)| Shape {
-        timing,
-        states,
-        sensors,
-        redundant,
-        steps,
-    })
+    (timing, 1usize..=8, 1usize..=3, redundant, 1usize..=5)
+        .prop_map(|(timing, states, sensors, redundant, steps)| Shape { timing, states, sensors, redundant, steps })
 }
 
 #[test]
@@ -245,13 +254,21 @@ fn in_units_of_any_size_the_same_bits_come_out() {
             let other = problem.in_units(|_| exponent, |_| exponent).path();
             for form in Form::ALL {
                 let [one, other] = [&path, &other].map(|path| filter(form, &doubles(path)));
-                let [one, other] = [&one, &other].map(|found| found.as_ref().map_or_else(FloatError::computed, Vec::as_slice));
+                let [one, other] =
+                    [&one, &other].map(|found| found.as_ref().map_or_else(FloatError::computed, Vec::as_slice));
                 prop_assert_eq!(one.len(), other.len(), "{}", form);
                 for (one, other) in one.iter().zip(other) {
                     prop_assert!(one.keys().eq(other.keys()), "{}", form);
                     for (name, matrix) in one {
-                        let power = if *name == Quantity::Gain { 0 } else { exponent * (1 + i32::from(name.is_covariance())) };
-                        prop_assert_eq!(&matrix.map(|entry| entry * 2.0_f64.powi(power)), &other[name], "{}: {}", form, name);
+                        let power =
+                            if *name == Quantity::Gain { 0 } else { exponent * (1 + i32::from(name.is_covariance())) };
+                        prop_assert_eq!(
+                            &matrix.map(|entry| entry * 2.0_f64.powi(power)),
+                            &other[name],
+                            "{}: {}",
+                            form,
+                            name
+                        );
                     }
                 }
             }

@@ -27,7 +27,7 @@ impl Known {
     }
 }
 
-static SUITE: LazyLock<Vec<Known>> = 
+static SUITE: LazyLock<Vec<Known>> =
     LazyLock::new(|| TRUTHS.par_iter().map(|(case, truth)| Known::of(case, truth)).collect());
 
 /// Every case of the suite.
