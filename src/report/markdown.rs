@@ -52,14 +52,14 @@ fn section(report: &Report, all: bool) -> String {
 
 /// The findings, worst first.
 fn found(findings: &[&(Case, Judgement)], most: usize) -> String {
-    let mut out = "\n| | finding | verdict | where | digits | attainable |\n|---:|---|---|---|---:|---:|\n".to_owned();
+    let mut out = "\n| | finding | verdict | what | digits | attainable |\n|---:|---|---|---|---:|---:|\n".to_owned();
     let shown = || findings.iter().take(most).enumerate().map(|(place, result)| (place + 1, result));
     for (place, (case, judgement)) in shown() {
         let behind = |score: &&Score| score.verdict != Verdict::Agrees;
         let missing = |score: &Score| score.attainable.value() - score.worst.digits.value();
         let worst = judgement.scores.iter().filter(behind).max_by(|one, other| missing(one).total_cmp(&missing(other)));
         let digits = worst.map_or_else(
-            || " | |".to_owned(),
+            || format!("{} | |", judgement.remarks.first().map_or_else(String::new, |why| code(&short(why)))),
             |score| {
                 format!("{} at step {} | {} | {}", score.quantity, score.step, score.worst.digits, score.attainable)
             },
