@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::samples::{walk, with};
 use crate::schema::valid;
 
-const SCHEMA: &str = include_str!("../../schema/subject.schema.json");
+pub(crate) const SCHEMA: &str = include_str!("../../schema/subject.schema.json");
 const FORMAT: &str = "exact-kalman/subject/1";
 
 fn line(name: &str) -> String {
