@@ -93,10 +93,10 @@ fn the_subject_prints_what_the_exchange_shows() {
     let mut command = Command::new("python3");
     command.arg(script).stdin(Stdio::piped()).stdout(Stdio::piped());
     let Ok(mut child) = command.spawn() else { return eprintln!("not run: there is no python3 here") };
-    let sent: String = wire("< ").iter().map(|line| format!("{line}\n")).collect();
+    let sent: String = wire("< ").join("\n") + "\n";
     child.stdin.take().expect("it is piped").write_all(sent.as_bytes()).expect("it is read");
     let output = child.wait_with_output().expect("it ends");
-    let shown: String = wire("> ").iter().map(|line| format!("{line}\n")).collect();
+    let shown: String = wire("> ").join("\n") + "\n";
     assert_eq!(String::from_utf8(output.stdout).expect("UTF-8"), shown);
 }
 
