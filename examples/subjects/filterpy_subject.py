@@ -2,6 +2,9 @@
 
     pip install filterpy && exact-kalman check -- python3 examples/subjects/filterpy_subject.py
 
+`--pinv` puts numpy.linalg.pinv in the place of the inverse, as the documentation of the attribute `inv` offers;
+`--square-root` is SquareRootKalmanFilter, which has no noise that is shared and takes its factors by Cholesky.
+
 Conventions mapped:
 * departing timing: update(y_k), then predict with F[k], Q[k]; the initial law is that of x_0.
 * arriving timing: predict with F[k], Q[k], then update(y_k); the first predict is left out if the initial law is
@@ -13,14 +16,24 @@ Conventions mapped:
 * NaN readings are handed over as they are.
 """
 
+import argparse
+
 from kalman_case import Unsupported, serve  # first: it moves stdout away
 
+import filterpy
 import numpy as np
-from filterpy.kalman import KalmanFilter
+from filterpy.kalman import KalmanFilter, SquareRootKalmanFilter
+
+OPTIONS = argparse.Namespace()
 
 
 def predict(kalman, case, k):
-    kalman.predict(u=case.input(k).reshape(-1, 1), B=np.eye(case.states), F=case.transition(k), Q=case.noise(k)[0])
+    given, transition, noise = case.input(k).reshape(-1, 1), case.transition(k), case.noise(k)[0]
+    if OPTIONS.square_root:
+        kalman.F, kalman.Q, kalman.B = transition, noise, np.eye(case.states)
+        kalman.predict(u=given)
+    else:
+        kalman.predict(u=given, B=np.eye(case.states), F=transition, Q=noise)
 
 
 def update(kalman, case, k):
@@ -30,22 +43,36 @@ def update(kalman, case, k):
         return
     value = (np.array(reading) - case.offset(k)).reshape(-1, 1)
     _, cross, noise = case.noise(k)
-    if case.shares_noise and case.has_transition(k):
+    if OPTIONS.square_root:
+        kalman.H, kalman.R = case.observation(k), noise
+        kalman.update(value)
+    elif case.shares_noise and case.has_transition(k):
         kalman.M = np.zeros((case.states, case.sensors)) if cross is None else cross
         kalman.update_correlated(value, R=noise, H=case.observation(k))
     else:
         kalman.update(value, R=noise, H=case.observation(k))
 
 
+def new(case):
+    if OPTIONS.square_root:
+        return SquareRootKalmanFilter(dim_x=case.states, dim_z=case.sensors)
+    kalman = KalmanFilter(dim_x=case.states, dim_z=case.sensors)
+    if OPTIONS.pinv:
+        kalman.inv = np.linalg.pinv
+    return kalman
+
+
 def answer(case):
     if case.diffuse is not None:
         raise Unsupported("a diffuse start")
+    if case.shares_noise and OPTIONS.square_root:
+        raise Unsupported("cross noise")
     if case.shares_noise and not case.arriving:
         raise Unsupported("cross noise with departing timing")
     readings = [case.reading(k) for k in range(case.count)]
     if any(None in reading and set(reading) != {None} for reading in readings):
         raise Unsupported("partly missing observations")
-    kalman = KalmanFilter(dim_x=case.states, dim_z=case.sensors)
+    kalman = new(case)
     kalman.x, kalman.P = case.mean.reshape(-1, 1), case.covariance
     for k in range(case.count):
         if case.arriving and case.has_transition(k):
@@ -58,4 +85,11 @@ def answer(case):
 
 
 if __name__ == "__main__":
-    serve(answer)
+    parser = argparse.ArgumentParser()
+    form = parser.add_mutually_exclusive_group()
+    form.add_argument("--pinv", action="store_true", help="the pseudo-inverse of the innovation covariance")
+    form.add_argument("--square-root", action="store_true", help="the class SquareRootKalmanFilter")
+    OPTIONS = parser.parse_args()
+    chosen = [" " + name for name, value in (("pinv", OPTIONS.pinv), ("square-root", OPTIONS.square_root)) if value]
+    serve(answer, f"filterpy {filterpy.__version__}{''.join(chosen)}",
+          ["diffuse", "correlated"] if OPTIONS.square_root else ["diffuse"])

@@ -1,6 +1,7 @@
 """Reads cases of exact-kalman and writes answers: what the subjects in this folder share.
 
-A subject calls `serve(answer)`; `answer(case)` gets a `Case`, appends one dictionary per observation to
+A subject calls `serve(answer, name, unsupported)`, which declares its name and the flags of cases that are not for it;
+`answer(case)` gets a `Case`, appends one dictionary per observation to
 `case.steps` and raises `Unsupported` where its package has no such thing. Any other exception is an outcome
 "error" at the step where it was raised; what was computed before stays in the answer.
 """
@@ -153,8 +154,10 @@ def answered(line, answer):
     return {"id": given.get("id"), **outcome, "steps": steps}
 
 
-def serve(answer):
-    """Answers every line of stdin, one line each, until it ends."""
+def serve(answer, name, unsupported=()):
+    """Says what the subject is, then answers every line of stdin, one line each, until it ends."""
+    declaration = {"format": "exact-kalman/subject/1", "name": name, "unsupported": list(unsupported)}
+    print(json.dumps(declaration), file=ANSWERS, flush=True)
     for line in sys.stdin:
         if line.strip():
             print(json.dumps(answered(line, answer)), file=ANSWERS, flush=True)

@@ -3,6 +3,7 @@
     pip install statsmodels && exact-kalman check -- python3 examples/subjects/statsmodels_subject.py
 
 `--tolerance 0` switches off the test for a steady state, which compares squared covariances with an absolute 1e-19.
+`--univariate` takes the sensors one after the other (filter_univariate).
 
 Conventions mapped:
 * y_t = Z_t a_t + d_t + e_t, a_{t+1} = T_t a_t + c_t + w_t: departing timing as it is, with the initial law that of a_0.
@@ -20,11 +21,12 @@ import argparse
 from kalman_case import Unsupported, serve  # first: it moves stdout away
 
 import numpy as np
+import statsmodels
 from statsmodels.tsa.statespace.initialization import Initialization
 from statsmodels.tsa.statespace.kalman_filter import KalmanFilter
 
 
-OPTIONS = {}
+OPTIONS = argparse.Namespace(tolerance=None, univariate=False)
 
 
 def initialization(case):
@@ -62,7 +64,10 @@ def model(case, early):
     endog = [[np.nan if entry is None else entry for entry in case.reading(k)] for k in range(case.count)]
     endog = np.vstack([np.full((early, case.sensors), np.nan), np.array(endog)])
     # To the constructor: `filter(tolerance=…)` of 0.15.0 hands it on in the place of filter_timing.
-    kalman = KalmanFilter(k_endog=case.sensors, k_states=case.states, **OPTIONS)
+    tolerance = {} if OPTIONS.tolerance is None else {"tolerance": OPTIONS.tolerance}
+    kalman = KalmanFilter(k_endog=case.sensors, k_states=case.states, **tolerance)
+    if OPTIONS.univariate:
+        kalman.filter_univariate = True
     kalman.bind(np.ascontiguousarray(endog))
     kalman["selection"] = states
     constant = case.is_constant() and any(there)
@@ -96,5 +101,8 @@ def answer(case):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--tolerance", type=float, help="of the test for a steady state; 0 switches it off")
-    OPTIONS = {name: value for name, value in vars(parser.parse_args()).items() if value is not None}
-    serve(answer)
+    parser.add_argument("--univariate", action="store_true", help="one sensor after the other")
+    OPTIONS = parser.parse_args()
+    tolerance = "" if OPTIONS.tolerance is None else f" tolerance={OPTIONS.tolerance:g}"
+    univariate = " univariate" if OPTIONS.univariate else ""
+    serve(answer, f"statsmodels {statsmodels.__version__}{tolerance}{univariate}", ["correlated"])

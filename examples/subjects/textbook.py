@@ -151,5 +151,9 @@ def answer(case):
     return {"id": case["id"], "outcome": "answered", "steps": done}
 
 
+# What a subject may say of itself, once: cases with this flag are not asked.
+DECLARATION = {"format": "exact-kalman/subject/1", "name": "textbook, Python", "unsupported": ["diffuse"]}
+
+print(json.dumps(DECLARATION), flush=True)
 for line in sys.stdin:
     print(json.dumps(answer(json.loads(line))), flush=True)

@@ -101,12 +101,12 @@ impl ListCases {
     fn release(&self, directory: &Path, cases: Vec<Case>) -> Result<Exit, Trouble> {
         interrupt::listen(None);
         let mut manifest = Manifest::new(cases.len(), self.selection.seed());
-        let (all, progress) = (cases.len(), progress::of_cases(cases.len()));
+        let (all, progress) = (cases.len(), progress::Cases::of(cases.len()));
         let cases: Vec<_> = cases.into_iter().map(Arc::new).collect();
         let references = self.jobs.ahead(cases.clone(), |case: Arc<Case>| reference(&case, &Truth::of(&case)))?;
         let mut unknown = 0;
         for (case, reference) in cases.iter().zip(references) {
-            progress.set_message(case.id.clone());
+            progress.case(&case.id);
             let Some(reference) = reference.wait() else { return Ok(Exit::Interrupted) };
             let files = [("cases", Some(case.to_pretty())), ("references", reference)];
             for (kind, text) in files {
@@ -118,9 +118,9 @@ impl ListCases {
                 write(directory, &name, &text)?;
                 manifest.add(name, &text);
             }
-            progress.inc(1);
+            progress.done();
         }
-        progress.finish_and_clear();
+        drop(progress);
         write(directory, "MANIFEST.json", &manifest.text())?;
         eprintln!("{all} cases and {} references written below {}", all - unknown, directory.display());
         Ok(if unknown > 0 { Exit::Undecided } else { Exit::Clean })

@@ -29,7 +29,7 @@ impl From<Exit> for ExitCode {
 
 impl Exit {
     pub(super) fn of(report: &Report) -> Self {
-        if report.unjudged > 0 {
+        if report.unjudged > 0 && !report.at_first_finding {
             Self::Interrupted
         } else if !report.findings().is_empty() {
             Self::Findings

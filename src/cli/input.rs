@@ -116,6 +116,15 @@ impl Selection {
         self.cases.is_none().then(|| self.seed.unwrap_or(0))
     }
 
+    /// The selection from the cases of a file that is named elsewhere on the command line.
+    pub(super) fn with_cases(self, path: &Path) -> Result<Self, Trouble> {
+        if self.cases.is_some() {
+            let message = "the cases are named twice".to_owned();
+            return Err(Trouble::Other { place: "--cases".into(), message });
+        }
+        Ok(Self { cases: Some(path.to_owned()), ..self })
+    }
+
     pub(super) fn cases(&self) -> Result<Vec<Case>, Trouble> {
         let all = match &self.cases {
             Some(path) => cases(path)?,

@@ -4,6 +4,7 @@
 
 mod cases;
 mod check;
+mod declared;
 mod effort;
 mod estimate;
 mod exit;
@@ -19,6 +20,7 @@ mod parallel;
 mod price;
 mod progress;
 mod proved;
+mod reporting;
 mod reproduce;
 mod rest;
 mod shown;
@@ -32,6 +34,8 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use exit::{Exit, Trouble};
+
+use crate::report::printable;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -100,7 +104,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         // Whoever read the output has seen enough.
         Err(Trouble::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => Exit::Clean.into(),
         Err(trouble) => {
-            eprintln!("error: {trouble}");
+            // A message may quote a document, and a document anything.
+            eprintln!("error: {}", printable(&trouble.to_string()));
             Exit::Trouble.into()
         }
     }

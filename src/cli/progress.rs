@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::rest::rest;
+use crate::report::printable;
 
 /// What is over by then needs no bar.
 const MOMENT: Duration = Duration::from_secs(1);
@@ -20,9 +21,30 @@ fn bar(all: usize, target: ProgressDrawTarget) -> ProgressBar {
 }
 
 /// The cases that are judged.
-pub(super) fn of_cases(cases: usize) -> ProgressBar {
-    let looking = std::io::stderr().is_terminal();
-    bar(cases, if looking { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() })
+#[derive(Debug)]
+pub(super) struct Cases(ProgressBar);
+
+impl Cases {
+    pub(super) fn of(cases: usize) -> Self {
+        let looking = std::io::stderr().is_terminal();
+        Self(bar(cases, if looking { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() }))
+    }
+
+    /// The case that is asked now.
+    pub(super) fn case(&self, id: &str) {
+        self.0.set_message(printable(id));
+    }
+
+    /// One more case is judged.
+    pub(super) fn done(&self) {
+        self.0.inc(1);
+    }
+}
+
+impl Drop for Cases {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
 }
 
 /// The steps of a case that is solved.
@@ -41,9 +63,7 @@ pub(super) struct Steps {
 impl Steps {
     pub(super) fn of(case: &str, all: usize) -> Self {
         let looking = std::io::stderr().is_terminal();
-        // A name from outside, on one line.
-        let name: String = case.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        let bar = bar(all, ProgressDrawTarget::hidden()).with_prefix(format!("{name} · step "));
+        let bar = bar(all, ProgressDrawTarget::hidden()).with_prefix(format!("{} · step ", printable(case)));
         Self { bar, begun: Instant::now(), all, bits: 0, done_at: Vec::new(), looking, shown: false }
     }
 

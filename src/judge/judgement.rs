@@ -62,6 +62,11 @@ impl Judgement {
         Self::plain(Verdict::Malformed, why)
     }
 
+    /// The judgement on a case that the subject declared to be none for it.
+    pub fn unsupported(why: impl Into<String>) -> Self {
+        Self::plain(Verdict::Unsupported, why)
+    }
+
     /// The judgement on a reply.
     pub fn of(expect: Expect, truth: &Truth, reply: &Reply) -> Self {
         let answer = match reply {

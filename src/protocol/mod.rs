@@ -1,7 +1,7 @@
 //! Floor 3 · The line protocol: cases, answers, and the programs that are asked.
 //!
 //! A [`Case`] goes out on one line of JSON, an [`Answer`] comes back on one line; a [`Subject`] is the program in
-//! between. Numbers travel as strings, and [`Numbers`] says what the strings mean. Everything that comes from
+//! between, which may first say what it is in a [`Declaration`]. Numbers travel as strings, and [`Numbers`] says what the strings mean. Everything that comes from
 //! outside is bounded before it is computed with: [`MAXIMAL_DOCUMENT_BYTES`],
 //! [`MAXIMAL_LITERAL_CHARACTERS`], [`MAXIMAL_EXACT_EXPONENT`], and the [`Limits`] of a subject.
 //!
@@ -20,6 +20,8 @@ mod case_error;
 mod datum;
 mod decimal;
 mod decimal_of_interval;
+mod declaration;
+mod declared;
 mod document;
 mod entry;
 mod estimate_case;
@@ -43,6 +45,8 @@ pub use case::{Case, CaseFormat, Expect, InitialLaw, InputTerm, NoiseLaw};
 pub use case_error::CaseError;
 pub use datum::Datum;
 pub use decimal::Decimal;
+pub use declaration::{Declaration, DeclarationFormat, MAXIMAL_DECLARATION_BYTES};
+pub use declared::Declared;
 pub use document::MAXIMAL_DOCUMENT_BYTES;
 pub use entry::Entry;
 pub use estimate_case::{EstimateCase, EstimateFormat, LawPart};

@@ -6,16 +6,19 @@ use super::{Report, entry};
 use crate::judge::{Judgement, Score};
 use crate::protocol::Case;
 
-/// One object per examinee: counts by verdict, how many cases an interruption left unjudged, and for each case the verdict, its reasons and the digits.
+/// One object per examinee: what it declared, counts by verdict, how many cases are left unjudged and whether the first finding is
+/// the reason, and for each case the verdict, its reasons and the digits.
 pub fn json(report: &Report) -> Value {
     let counts: serde_json::Map<String, Value> =
         report.counts().into_iter().map(|(verdict, count)| (verdict.to_owned(), count.into())).collect();
     object!({
         "format": "exact-kalman/report/1",
         "examinee": report.examinee,
+        "declaration": report.declaration,
         "counts": counts,
         "remarks": report.remarks,
         "unjudged": report.unjudged,
+        "at_first_finding": report.at_first_finding,
         "cases": report.results.iter().map(|(case, judgement)| result(case, judgement)).collect::<Vec<_>>(),
     })
 }

@@ -1,12 +1,16 @@
 //! Floor 6 · Judgements for people and for programs.
 //!
 //! A [`Report`] collects the judgements on one examinee. It is shown as text ([`text`]), several of them side by
-//! side ([`side_by_side`]), or as JSON ([`json`]). Nothing is judged here, and the same judgements give the same
+//! side ([`side_by_side`]), as JSON ([`json`]), as JUnit's XML ([`junit`]), or as Markdown ([`markdown`]). Nothing is judged here, and the same judgements give the same
 //! bytes: no clock, no order but that of the cases.
 
 mod comparison;
+mod declared;
 mod entry;
 mod json;
+mod junit;
+mod markdown;
+mod printable;
 mod reference;
 mod text;
 
@@ -14,11 +18,14 @@ use std::collections::BTreeMap;
 
 pub use comparison::side_by_side;
 pub use json::json;
+pub use junit::junit;
+pub use markdown::markdown;
 pub use reference::reference;
+pub(crate) use printable::printable;
 pub use text::text;
 
 use crate::judge::{Judgement, Verdict};
-use crate::protocol::Case;
+use crate::protocol::{Case, Declaration};
 
 /// The judgements on one examinee, in the order of the cases.
 #[derive(Clone, Debug)]
@@ -27,8 +34,12 @@ pub struct Report {
     pub examinee: String,
     /// The cases with their judgements.
     pub results: Vec<(Case, Judgement)>,
-    /// How many cases were to be judged and were not, since the run was interrupted: the report is then incomplete.
+    /// What the examinee declared of itself.
+    pub declaration: Option<Declaration>,
+    /// How many cases were to be judged and were not, since the run was stopped: the report is then incomplete.
     pub unjudged: usize,
+    /// Whether it was stopped at the first finding, as asked, and not by an interruption.
+    pub at_first_finding: bool,
     /// What is to be said of the whole run, such as stray lines.
     pub remarks: Vec<String>,
 }
@@ -36,7 +47,14 @@ pub struct Report {
 impl Report {
     /// A report without judgements.
     pub fn new(examinee: impl Into<String>) -> Self {
-        Self { examinee: examinee.into(), results: Vec::new(), unjudged: 0, remarks: Vec::new() }
+        Self {
+            examinee: examinee.into(),
+            results: Vec::new(),
+            declaration: None,
+            unjudged: 0,
+            at_first_finding: false,
+            remarks: Vec::new(),
+        }
     }
 
     /// How many cases came to which verdict, best verdict first.

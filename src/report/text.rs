@@ -4,24 +4,31 @@ use std::fmt::Write as _;
 
 use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 
+use super::declared::declared;
+pub(super) use super::printable::printable;
 use super::{Report, entry};
 use crate::judge::{Judgement, Score, Verdict, meaning};
 use crate::protocol::{Case, Decimal, short_witness};
 use crate::trace::Quantity;
 
 /// How many findings are shown unless all are asked for.
-const SHOWN: usize = 20;
+pub(super) const SHOWN: usize = 20;
+
+/// What the numbers of a table are.
+pub(super) const ATTAINABLE: &str = "\
+Correct digits / attainable digits, at the step where they fall furthest behind; 17 is exact.
+Attainable is what is left of the answer when all data are moved by one part in 2^53; where an
+innovation covariance is singular, at most 15. Negative digits: wrong by so many powers of ten.
+";
 
 /// How many lines of a message that came from outside are shown: the last ones, where programs say what went wrong.
 const MESSAGE_LINES: usize = 12;
 
 /// The report on one examinee: a line per case, then the findings, worst first, then the count.
 pub fn text(report: &Report, all: bool) -> String {
-    let mut out = format!("{}\n\n{}\n\n", printable(&report.examinee), table(report));
+    let mut out = format!("{}\n{}\n{}\n\n", printable(&report.examinee), declared(report), table(report));
     if report.results.iter().any(|(_, judgement)| !judgement.scores.is_empty()) {
-        out += "Correct digits / attainable digits, at the step where they fall furthest behind; 17 is exact.\n";
-        out += "Attainable is what is left of the answer when all data are moved by one part in 2^53; where an\n\
-                innovation covariance is singular, at most 15. Negative digits: wrong by so many powers of ten.\n";
+        out += ATTAINABLE;
     }
     let findings = report.findings();
     let shown = if all { findings.len() } else { findings.len().min(SHOWN) };
@@ -48,18 +55,16 @@ pub fn text(report: &Report, all: bool) -> String {
 pub(super) fn incomplete(report: &Report) -> String {
     match report.unjudged {
         0 => String::new(),
+        cases if report.at_first_finding => {
+            format!("incomplete: stopped at the first finding, and {} not asked\n", counted(cases, "more case"))
+        }
         cases => format!("incomplete: interrupted, and {} not judged\n", counted(cases, "more case")),
     }
 }
 
-fn counted(count: usize, noun: &str) -> String {
+pub(super) fn counted(count: usize, noun: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {noun}{plural}")
-}
-
-/// Text that came from outside, on one line and without anything that a terminal obeys.
-pub(super) fn printable(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 /// A table in the house's style: no lines, columns apart.
@@ -105,7 +110,7 @@ fn table(report: &Report) -> String {
 }
 
 /// What there is to say about one finding.
-fn finding(case: &Case, judgement: &Judgement) -> String {
+pub(super) fn finding(case: &Case, judgement: &Judgement) -> String {
     let mut out = String::new();
     let mut line = |text: String| {
         let _ = writeln!(out, "   {text}");

@@ -46,7 +46,10 @@ fn json_is_valid_and_stable() {
     assert_eq!(first.stdout, check(&cases, &["--format", "json"]).stdout);
     let report: Value = serde_json::from_str(&first.stdout).unwrap();
     let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
-    assert_eq!(keys(&report), ["cases", "counts", "examinee", "format", "remarks", "unjudged"]);
+    assert_eq!(
+        keys(&report),
+        ["at_first_finding", "cases", "counts", "declaration", "examinee", "format", "remarks", "unjudged"]
+    );
     let bad = &report["cases"][1];
     assert_eq!(keys(bad), ["asymmetric", "flags", "id", "not_psd", "remarks", "scores", "structural", "verdict"]);
     let score = &bad["scores"][0];

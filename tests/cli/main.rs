@@ -3,7 +3,9 @@
 
 mod cases;
 mod check;
+mod declared;
 mod estimate;
+mod formats;
 mod help;
 mod identify;
 mod input;
@@ -18,3 +20,4 @@ mod reproduce;
 mod solve;
 mod spec;
 mod stability;
+mod verdicts;

@@ -5,7 +5,10 @@ mod answers;
 mod bad_input;
 mod cases;
 mod decimals;
+mod declaration;
 mod estimate;
+#[cfg(target_os = "linux")]
+mod examples;
 mod identification;
 mod mutation;
 mod numbers;

@@ -1,25 +1,33 @@
 //! The example of the protocol page is a case and its answer, and the page says what the code says.
 
+use std::io::Write as _;
+use std::process::{Command, Stdio};
+
 use exact_kalman::protocol::{
-    Answer, Case, Limits, MAXIMAL_DOCUMENT_BYTES, MAXIMAL_EXACT_EXPONENT, MAXIMAL_LITERAL_CHARACTERS, Number, Numbers,
-    Outcome,
+    Answer, Case, Declaration, Limits, MAXIMAL_DECLARATION_BYTES, MAXIMAL_DOCUMENT_BYTES, MAXIMAL_EXACT_EXPONENT,
+    MAXIMAL_LITERAL_CHARACTERS, Number, Numbers, Outcome,
 };
 use exact_kalman::scalar::{exact_value, ratio};
 use exact_kalman::trace::Quantity;
 use serde_json::Value;
 
+use crate::declaration::SCHEMA as SUBJECT;
 use crate::schema::{ANSWER, CASE, valid};
 
 const PAGE: &str = include_str!("../../docs/PROTOCOL.md");
 
 fn example(kind: &str) -> &'static str {
-    let fence = format!("```json {kind}\n");
+    block(&format!("json {kind}"))
+}
+
+fn block(kind: &str) -> &'static str {
+    let fence = format!("```{kind}\n");
     PAGE.split(&fence).nth(1).and_then(|rest| rest.split("```").next()).expect("the example")
 }
 
 #[test]
 fn the_example_agrees_with_the_schemas() {
-    for (kind, schema) in [("case", CASE), ("answer", ANSWER)] {
+    for (kind, schema) in [("case", CASE), ("answer", ANSWER), ("subject", SUBJECT)] {
         let schema: Value = serde_json::from_str(schema).unwrap();
         assert!(valid(&schema, &schema, &serde_json::from_str(example(kind)).unwrap()), "{kind}");
     }
@@ -60,6 +68,52 @@ fn the_answer_is_the_one_worked_by_hand() {
     assert_eq!(answer.steps.len(), 2);
 }
 
+/// The lines of the exchange in one direction.
+fn wire(direction: &str) -> Vec<&'static str> {
+    block("text wire").lines().filter_map(|line| line.strip_prefix(direction)).collect()
+}
+
+#[test]
+fn the_exchange_is_the_example_on_the_wire() {
+    let case = Case::parse(example("case")).expect("the case");
+    assert_eq!(wire("< "), [case.to_line()]);
+    let [declaration, answer] = wire("> ")[..] else { panic!("two lines") };
+    let declaration = Declaration::parse(declaration).expect("a declaration");
+    assert_eq!(declaration.unsupported_flag(&case), None);
+    let answer = Answer::parse(answer).expect("an answer");
+    let right = Answer::parse(example("answer")).expect("the answer");
+    let last = |answer: &Answer| answer.steps[1][&Quantity::FilteredMean][(0, 0)].clone();
+    assert_eq!((answer.id.as_str(), last(&answer)), (right.id.as_str(), last(&right)));
+}
+
+/// What is shown as printed by the subject is what it prints, byte for byte.
+#[test]
+fn the_subject_prints_what_the_exchange_shows() {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/subjects/textbook.py");
+    let mut command = Command::new("python3");
+    command.arg(script).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let Ok(mut child) = command.spawn() else { return eprintln!("not run: there is no python3 here") };
+    let sent: String = wire("< ").join("\n") + "\n";
+    child.stdin.take().expect("it is piped").write_all(sent.as_bytes()).expect("it is read");
+    let output = child.wait_with_output().expect("it ends");
+    let shown: String = wire("> ").join("\n") + "\n";
+    assert_eq!(String::from_utf8(output.stdout).expect("UTF-8"), shown);
+}
+
+#[test]
+fn the_page_names_every_subject() {
+    let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/subjects");
+    let mut count = 0;
+    for entry in std::fs::read_dir(directory).expect("it is there") {
+        let name = entry.expect("it can be read").file_name().into_string().expect("UTF-8");
+        if name.contains('.') {
+            assert!(PAGE.contains(&format!("(../examples/subjects/{name})")), "{name}");
+            count += 1;
+        }
+    }
+    assert!(count >= 9, "{count}");
+}
+
 #[test]
 fn the_page_names_every_name_and_limit() {
     let names = Quantity::ALL.map(Quantity::name);
@@ -70,6 +124,7 @@ fn the_page_names_every_name_and_limit() {
     }
     assert!(PAGE.contains(&format!("at most {MAXIMAL_LITERAL_CHARACTERS} characters")));
     assert!(PAGE.contains(&format!("of at most {MAXIMAL_EXACT_EXPONENT}.")));
+    assert!(PAGE.contains(&format!("more than {MAXIMAL_DECLARATION_BYTES} bytes")));
     let limits = Limits::default();
     assert!(PAGE.contains(&format!("{} seconds a case", limits.case_time.as_secs())));
     assert!(PAGE.contains(&format!("{} MiB", limits.output_bytes >> 20)));

@@ -294,3 +294,92 @@ fn a_program_that_is_not_there_is_named() {
     let reply = ask(&mut Subject::new(&[], LIMITS), "a");
     assert!(reply.to_string().contains("no program to start"), "{reply}");
 }
+
+/// A declaration in a script.
+const DECLARE: &str = r#"echo '{"format":"exact-kalman/subject/1","name":"shell","unsupported":["diffuse"]}'"#;
+/// Answers every case.
+const SERVE: &str = r#"while read -r line; do answer "$(id_of "$line")"; done"#;
+
+fn declared(subject: &Subject) -> (Option<&str>, usize) {
+    (subject.declaration().and_then(|it| it.name.as_deref()), subject.remarks().len())
+}
+
+#[test]
+fn a_declaration_comes_before_or_with_the_first_answer() {
+    let with_first = r#"read -r line; printf '{"format":"exact-kalman/subject/1","name":"shell"}\n{"id":"%s","outcome":"answered"}\n' "$(id_of "$line")""#;
+    for script in [format!("{DECLARE}; {SERVE}"), format!("{with_first}; {SERVE}")] {
+        let mut subject = shell(&script);
+        assert_eq!(declared(&subject), (None, 0), "nothing is started before it is asked");
+        for id in ["a", "b", "c"] {
+            let reply = ask(&mut subject, id);
+            assert!(is_answer(&reply, id), "{script}: {reply}");
+            assert_eq!(declared(&subject), (Some("shell"), 0));
+        }
+        assert_eq!((subject.starts(), subject.strays().count), (1, 0));
+    }
+}
+
+#[test]
+fn declarations_that_do_not_count_are_passed_over() {
+    let bad = r#"echo '{"format":"exact-kalman/subject/1","nam":"shell"}'"#;
+    let newer = r#"echo '{"format":"exact-kalman/subject/2"}'"#;
+    for (script, name) in [
+        (format!("{DECLARE}; {DECLARE}; {SERVE}"), Some("shell")),
+        (format!("{bad}; {SERVE}"), None),
+        (format!("{newer}; {SERVE}"), None),
+        (format!(r#"while read -r line; do answer "$(id_of "$line")"; {DECLARE}; done"#), None),
+    ] {
+        let mut subject = shell(&script);
+        for id in ["a", "b"] {
+            let reply = ask(&mut subject, id);
+            assert!(is_answer(&reply, id), "{script}: {reply}");
+        }
+        assert_eq!((declared(&subject), subject.starts()), ((name, 1), 1), "{script}: {:?}", subject.remarks());
+    }
+}
+
+#[test]
+fn one_answer_per_run_may_declare_in_each() {
+    let mut subject = shell(&format!(r#"{DECLARE}; read -r line; answer "$(id_of "$line")""#));
+    for id in ["a", "b", "c"] {
+        assert!(is_answer(&ask(&mut subject, id), id));
+    }
+    assert_eq!((declared(&subject), subject.starts()), ((Some("shell"), 0), 3));
+}
+
+#[test]
+fn a_declaration_is_no_answer() {
+    // A hang and a death after it are what they are without it.
+    let mut subject = shell(&format!("{DECLARE}; sleep 1000"));
+    assert!(matches!(ask(&mut subject, "a"), Reply::TimedOut { .. }));
+    let mut subject = shell(&format!("{DECLARE}; read -r line; exit 3"));
+    assert!(matches!(ask(&mut subject, "a"), Reply::Died { .. }));
+    assert_eq!(declared(&subject), (Some("shell"), 0));
+}
+
+#[test]
+fn declarations_without_end_are_cut_off() {
+    let flood = r#"{"format":"exact-kalman/subject/1","name":"shell"}"#;
+    let mut subject = shell(&format!("yes '{flood}'"));
+    let reply = ask(&mut subject, "a");
+    assert!(matches!(reply, Reply::Flooded { .. } | Reply::TimedOut { .. }), "{reply}");
+    // A single one, longer than all that may be said of a case.
+    let mut subject = shell(
+        r#"printf '{"format":"exact-kalman/subject/1","name":"'; head -c 64000000 /dev/zero | tr '\0' x; echo '"}'"#,
+    );
+    assert_eq!(ask(&mut subject, "a"), Reply::Flooded { limit: 1 << 20 });
+    // One that is shorter than that and longer than a declaration: the case is answered all the same.
+    let mut subject = shell(&format!(
+        r#"printf '{{"format":"exact-kalman/subject/1","name":"'; head -c 900000 /dev/zero | tr '\0' x; echo '"}}'; {SERVE}"#
+    ));
+    assert!(is_answer(&ask(&mut subject, "a"), "a"));
+    assert_eq!(declared(&subject), (None, 1));
+    assert!(subject.remarks()[0].contains("at most 65536") && subject.remarks()[0].len() < 300);
+}
+
+#[test]
+fn a_name_that_is_not_utf8_is_malformed() {
+    let mut subject = shell(&format!(r#"printf '{{"format":"exact-kalman/subject/1","name":"\377"}}\n'; {SERVE}"#));
+    let Reply::Malformed { detail, .. } = ask(&mut subject, "a") else { panic!("malformed") };
+    assert!(detail.contains("UTF-8"), "{detail}");
+}

@@ -13,6 +13,7 @@ mod tail;
 
 use std::time::Duration;
 
+use super::{Declaration, Declared};
 use process::{Next, Process};
 
 pub use reply::Reply;
@@ -58,13 +59,15 @@ pub struct Subject {
     limits: Limits,
     process: Option<Process>,
     strays: Strays,
+    declared: Declared,
     starts: usize,
 }
 
 impl Subject {
     /// A subject that is started when it is first asked.
     pub fn new(command: &[String], limits: Limits) -> Self {
-        Self { command: command.to_vec(), limits, process: None, strays: Strays::default(), starts: 0 }
+        let (strays, declared) = (Strays::default(), Declared::default());
+        Self { command: command.to_vec(), limits, process: None, strays, declared, starts: 0 }
     }
 
     /// Sends one case and waits for its answer.
@@ -89,6 +92,16 @@ impl Subject {
         strays
     }
 
+    /// What the program has declared; nothing before the first case was asked.
+    pub fn declaration(&self) -> Option<&Declaration> {
+        self.declared.declaration()
+    }
+
+    /// Why declarations were passed over.
+    pub fn remarks(&self) -> &[String] {
+        self.declared.remarks()
+    }
+
     /// How often the program was started.
     pub fn starts(&self) -> usize {
         self.starts
@@ -100,12 +113,13 @@ impl Subject {
             none => match Process::start(&self.command, self.limits) {
                 Ok(process) => {
                     self.starts += 1;
+                    self.declared.start();
                     none.insert(process)
                 }
                 Err(detail) => return (Reply::NotStarted { detail }, Next::Restart),
             },
         };
-        let (reply, next) = process.ask(id, line);
+        let (reply, next) = process.ask(id, line, &mut self.declared);
         if next != Next::Continue
             && let Some(process) = self.process.take()
         {

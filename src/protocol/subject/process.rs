@@ -4,9 +4,9 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::super::Answer;
 use super::super::answer_document::OnlyId;
 use super::super::document::excerpt;
+use super::super::{Answer, Declaration, Declared};
 use super::inlet::Inlet;
 use super::outlet::{Event, Outlet};
 use super::tail::Tail;
@@ -74,10 +74,11 @@ impl Process {
         self.outlet.strays()
     }
 
-    /// Sends a case and waits for its answer.
-    pub(super) fn ask(&mut self, id: &str, line: &str) -> (Reply, Next) {
-        let deadline = Instant::now() + self.limits.case_time;
-        let timed_out = || (Reply::TimedOut { limit: self.limits.case_time }, Next::Restart);
+    /// Sends a case and waits for its answer; what is declared meanwhile is kept, and waits for nothing.
+    pub(super) fn ask(&mut self, id: &str, line: &str, declared: &mut Declared) -> (Reply, Next) {
+        let limit = self.limits.case_time;
+        let deadline = Instant::now() + limit;
+        let timed_out = || (Reply::TimedOut { limit }, Next::Restart);
         self.outlet.begin();
         if !self.inlet.as_ref().is_some_and(|inlet| inlet.send(line, deadline)) {
             return timed_out();
@@ -90,7 +91,11 @@ impl Process {
             }
             // What a process wrote before its death may still be on its way: one more heartbeat of patience.
             match self.outlet.next(if gone { HEARTBEAT } else { left.min(HEARTBEAT) }) {
-                Some(Event::Line(line)) => return self.judged(id, line),
+                Some(Event::Line(line)) => {
+                    if let Some(heard) = self.heard(id, line, declared) {
+                        return heard;
+                    }
+                }
                 Some(Event::Flooded) => return (Reply::Flooded { limit: self.limits.output_bytes }, Next::Restart),
                 Some(Event::Ended) => return self.died(deadline),
                 None if gone => return self.died(deadline),
@@ -99,21 +104,27 @@ impl Process {
         }
     }
 
-    fn judged(&mut self, id: &str, line: Vec<u8>) -> (Reply, Next) {
+    /// What a line comes to; nothing if it is a declaration.
+    fn heard(&mut self, id: &str, line: Vec<u8>, declared: &mut Declared) -> Option<(Reply, Next)> {
         let text = match String::from_utf8(line) {
             Ok(text) => text,
             Err(error) => {
                 let line = excerpt(&String::from_utf8_lossy(error.as_bytes()));
                 let detail = format!("not UTF-8, from byte {} on", error.utf8_error().valid_up_to());
-                return (Reply::Malformed { detail, line }, Next::Restart);
+                return Some((Reply::Malformed { detail, line }, Next::Restart));
             }
         };
         let (found, detail) = match Answer::parse(&text) {
             Ok(answer) if answer.id == id => {
                 self.answered += 1;
-                return (Reply::Answer(answer), Next::Continue);
+                declared.answer();
+                return Some((Reply::Answer(answer), Next::Continue));
             }
             Ok(answer) => (Some(answer.id), None),
+            Err(_) if Declaration::is_meant_by(&text) => {
+                declared.line(&text);
+                return None;
+            }
             Err(error) => (serde_json::from_str(&text).ok().map(|OnlyId { id, .. }| id), Some(error.to_string())),
         };
         // A bad answer to the right question leaves the process in step; anything else may have shifted it.
@@ -126,7 +137,7 @@ impl Process {
                 excerpt(&found.unwrap_or_default())
             ),
         };
-        (Reply::Malformed { detail, line: excerpt(&text) }, next)
+        Some((Reply::Malformed { detail, line: excerpt(&text) }, next))
     }
 
     /// The reply for a process that ended, or closed its output.
