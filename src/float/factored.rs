@@ -111,7 +111,7 @@ impl<R: Reduction> Recursion for Factored<R> {
     fn predicted(belief: &Belief, transition: &Transition) -> Result<Belief, Obstacle> {
         let Transition { matrix: a, input, noise: q } = transition;
         let moved = Factor { rows: product(a, &belief.factor.rows), weights: belief.factor.weights.clone() };
-        let factor = R::compressed(beside(moved, Factor::of(q)?))?;
+        let factor = R::compressed(beside(&moved, &Factor::of(q)?))?;
         Ok(Belief { mean: a * &belief.mean + input, factor, noise: None })
     }
 
@@ -121,7 +121,7 @@ impl<R: Reduction> Recursion for Factored<R> {
         let (process, noise) = joint_noise(q, &observed.state_noise, &observed.noise)?;
         let moved = Factor { rows: product(a, &belief.factor.rows), weights: belief.factor.weights.clone() };
         let noise = beside_zeros(moved.weights.len(), &noise);
-        Ok(Belief { mean: a * &belief.mean + input, factor: beside(moved, process), noise: Some(noise) })
+        Ok(Belief { mean: a * &belief.mean + input, factor: beside(&moved, &process), noise: Some(noise) })
     }
 
     fn updated(
@@ -198,7 +198,7 @@ pub(super) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64
 }
 
 /// The sum of two independent vectors.
-fn beside(one: Factor, other: Factor) -> Factor {
+fn beside(one: &Factor, other: &Factor) -> Factor {
     let weights = DVector::from_iterator(one.rank() + other.rank(), one.weights.iter().chain(&other.weights).copied());
     Factor { rows: side_by_side(&one.rows, &other.rows), weights }
 }
@@ -206,7 +206,7 @@ fn beside(one: Factor, other: Factor) -> Factor {
 /// The rows with more sources, of which they know nothing.
 fn beside_zero_rows(factor: &Factor, weights: &DVector<f64>) -> Factor {
     let rows = DMatrix::zeros(factor.rows.nrows(), weights.len());
-    beside(factor.clone(), Factor { rows, weights: weights.clone() })
+    beside(factor, &Factor { rows, weights: weights.clone() })
 }
 
 fn beside_zeros(columns: usize, rows: &DMatrix<f64>) -> DMatrix<f64> {

@@ -31,7 +31,7 @@ impl Reduction for Reflections {
     fn compressed(factor: Factor) -> Result<Factor, Obstacle> {
         let mut rows = factor.of_unit_weights();
         let terms = rows.abs();
-        let pivots = triangularise(&mut rows, terms, factor.rows.nrows());
+        let pivots = triangularise(&mut rows, terms, factor.rows.nrows(), 0);
         let rank = pivots.iter().flatten().count();
         Ok(Factor { rows: rows.columns(0, rank).into_owned(), weights: DVector::repeat(rank, 1.0) })
     }
@@ -42,7 +42,7 @@ impl Reduction for Reflections {
         let (readings, terms) = stage.readings();
         let unit = |rows| Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
         let (mut array, terms) = (unit(stacked(&readings, &others)), unit(stacked(&terms, &other_terms)));
-        let pivots = triangularise(&mut array, terms, m);
+        let pivots = triangularise(&mut array, terms, m, m);
         let rank = pivots.iter().flatten().count();
         let cross = array.view((m, 0), (count, rank));
         // S^½ e = ν, and S^½ X = I for the gain, by forward substitution in the rows that have a pivot.
@@ -54,9 +54,9 @@ impl Reduction for Reflections {
             }
             e
         };
-        let correction = &cross * solved(&|i| innovation[i]);
+        let correction = cross * solved(&|i| innovation[i]);
         let gain = (rank == m).then(|| {
-            let columns: Vec<_> = (0..m).map(|k| &cross * solved(&|i| if i == k { 1.0 } else { 0.0 })).collect();
+            let columns: Vec<_> = (0..m).map(|k| cross * solved(&|i| if i == k { 1.0 } else { 0.0 })).collect();
             DMatrix::from_fn(count, m, |i, k| columns[k][i])
         });
         let rest = array.view((m, rank), (count, array.ncols() - rank)).into_owned();
@@ -67,10 +67,18 @@ impl Reduction for Reflections {
 
 /// Makes the first `count` rows lower triangular by reflections of the columns; for each of them the column of its pivot, or
 /// nothing if nothing is left of it. `terms` are the magnitudes of what each entry was computed from.
-pub(super) fn triangularise(array: &mut DMatrix<f64>, mut terms: DMatrix<f64>, count: usize) -> Vec<Option<usize>> {
+/// The first `readings` rows are those.
+pub(super) fn triangularise(
+    array: &mut DMatrix<f64>,
+    mut terms: DMatrix<f64>,
+    count: usize,
+    readings: usize,
+) -> Vec<Option<usize>> {
     let (mut pivots, mut column) = (Vec::with_capacity(count), 0);
-    // A chain of reflections rounds a row by no more than its length, however long the chain of bounds.
-    let most: Vec<f64> = (0..array.nrows()).map(|i| terms.row(i).norm()).collect();
+    // A chain of reflections rounds a row by no more than its length, however long the chain of bounds. In the rows that are made
+    // triangular it is the bounds that count: what is left of a row that repeats others is amplified by how nearly those do.
+    let most: Vec<f64> =
+        (0..array.nrows()).map(|i| if i < readings { f64::INFINITY } else { terms.row(i).norm() }).collect();
     for i in 0..count {
         let length = length(&array.view((i, column), (1, array.ncols() - column)).row(0).into_owned());
         if length == 0.0 {

@@ -38,7 +38,7 @@ impl Reduction for Rotations {
         let n = rows.nrows();
         // First to no more columns than there can be directions.
         let terms = rows.abs();
-        let rank = triangularise(&mut rows, terms, n).iter().flatten().count();
+        let rank = triangularise(&mut rows, terms, n, 0).iter().flatten().count();
         let mut rows = rows.columns(0, rank).into_owned();
         orthogonalise(&mut rows, None);
         // V and D apart: V = (X Z) D⁻¹.
