@@ -7,6 +7,7 @@ mod check;
 mod effort;
 mod estimate;
 mod exit;
+mod explain;
 mod identify;
 mod input;
 mod interrupt;
@@ -57,6 +58,7 @@ enum Verb {
     Check(check::Check),
     Judge(judge::JudgeAnswers),
     Cases(cases::ListCases),
+    Explain(explain::Explain),
     Spec(spec::Spec),
     Identify(identify::Identify),
     Stability(stability::Stability),
@@ -89,6 +91,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Check(verb) => verb.run(),
         Verb::Judge(verb) => verb.run(),
         Verb::Cases(verb) => verb.run(),
+        Verb::Explain(verb) => verb.run(),
         Verb::Spec(verb) => verb.run(),
         Verb::Identify(verb) => verb.run(),
         Verb::Stability(verb) => verb.run(),

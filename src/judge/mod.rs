@@ -14,11 +14,13 @@
 //! The verdicts stand in [`Verdict`], with the constants 2, 4 and 6. Nothing else is tuned: 17 and 15 digits and twenty
 //! answers are what is written above.
 
+mod diagnosis;
 mod digits;
 mod examinee;
 mod invariants;
 mod judgement;
 mod limits;
+mod mistakes;
 mod nearby;
 mod perturb;
 mod reference;
@@ -27,10 +29,12 @@ mod suite;
 mod truth;
 mod verdict;
 
+pub use diagnosis::{Diagnosis, Explanation};
 pub use digits::{Digits, EntryDigits};
 pub use examinee::Examinee;
 pub use invariants::{Asymmetry, Indefiniteness};
 pub use judgement::{Judgement, Score};
+pub use mistakes::{Kind, Mistake, mistake, mistakes, mistakes_page};
 pub use reference::Reference;
 pub use scale::Scale;
 pub use suite::{meaning, suite};

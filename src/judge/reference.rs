@@ -41,6 +41,8 @@ pub struct Reference {
     /// Whether moving the data may destroy what the case is about: an innovation covariance is singular, or a diffuse
     /// start would be resolved at another step. Then only perturbations count that do not, and at most 15 digits.
     pub structural: bool,
+    /// The problem.
+    pub path: Path<Rational>,
     largest: Largest,
 }
 
@@ -72,7 +74,7 @@ impl Reference {
         let largest = Largest::of(&path.initial().covariance, path.sensors(), seen);
         let structural = contradiction.is_some() || singular;
         let mut reference =
-            Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, largest };
+            Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, path: path.clone(), largest };
         reference.attainable = reference.attained(path);
         Ok(reference)
     }

@@ -2,11 +2,12 @@
 
 use serde_json::{Value, json as object};
 
-use super::{Report, entry};
+use super::{Report, diagnosis, entry};
 use crate::judge::{Judgement, Score};
 use crate::protocol::Case;
 
-/// One object per examinee: counts by verdict, how many cases an interruption left unjudged, and for each case the verdict, its reasons and the digits.
+/// One object per examinee: counts by verdict, how many cases an interruption left unjudged, which
+/// known mistakes explain the findings, and for each case the verdict, its reasons and the digits.
 pub fn json(report: &Report) -> Value {
     let counts: serde_json::Map<String, Value> =
         report.counts().into_iter().map(|(verdict, count)| (verdict.to_owned(), count.into())).collect();
@@ -16,6 +17,7 @@ pub fn json(report: &Report) -> Value {
         "counts": counts,
         "remarks": report.remarks,
         "unjudged": report.unjudged,
+        "diagnosis": diagnosis::json(report, &report.diagnosis()),
         "cases": report.results.iter().map(|(case, judgement)| result(case, judgement)).collect::<Vec<_>>(),
     })
 }

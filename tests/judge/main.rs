@@ -6,6 +6,7 @@ mod bad_cases;
 mod built_in;
 mod digits;
 mod exact_solver;
+mod mistakes;
 mod samples;
 mod suite;
 mod verdicts;
