@@ -188,7 +188,7 @@ fn of_problem(answer: &Answer, reference: &Reference) -> Judgement {
             .note(Verdict::Wrong, "nothing that is judged was answered: give filtered_mean and filtered_covariance");
     }
     if !judgement.scores.is_empty() {
-        judgement.mistakes = outcomes(&answer.steps, reference);
+        judgement.mistakes = outcomes(&answer.steps, reference, judgement.verdict == Verdict::Agrees);
     }
     judgement
 }

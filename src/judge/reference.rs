@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::limits::maximal_bits;
+use super::mistakes::Shown;
 use super::perturb::{Perturbation, Readings};
 use super::scale::Largest;
 use super::{Digits, Scale, digits, nearby};
@@ -43,6 +44,8 @@ pub struct Reference {
     pub structural: bool,
     /// The problem.
     pub path: Path<Rational>,
+    /// Which known mistakes show in answers of one kind; written when it is first asked.
+    pub(super) shown: Shown,
     largest: Largest,
 }
 
@@ -74,7 +77,7 @@ impl Reference {
         let largest = Largest::of(&path.initial().covariance, path.sensors(), seen);
         let structural = contradiction.is_some() || singular;
         let mut reference =
-            Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, path: path.clone(), largest };
+            Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, path: path.clone(), shown: Shown::default(), largest };
         reference.attainable = reference.attained(path);
         Ok(reference)
     }

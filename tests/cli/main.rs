@@ -4,6 +4,7 @@
 mod cases;
 mod check;
 mod estimate;
+mod explain;
 mod help;
 mod identify;
 mod input;

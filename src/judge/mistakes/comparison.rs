@@ -41,6 +41,11 @@ impl<'a> Comparison<'a> {
         Self { reference, steps: steps.map(places).collect() }
     }
 
+    /// The quantities that are compared, per step.
+    pub(super) fn quantities(&self) -> Vec<Vec<Quantity>> {
+        self.steps.iter().map(|places| places.iter().map(|place| place.quantity).collect()).collect()
+    }
+
     /// Whether there is nothing to compare.
     pub(super) fn is_empty(&self) -> bool {
         self.steps.iter().all(Vec::is_empty)

@@ -1,6 +1,6 @@
 //! Known mistakes: what wrong filters answer, and whether an answer is that.
 //!
-//! A mistake is a page for people and one or more [`Wrong`] filters. These are evaluated in three ways: as the right
+//! A mistake is a page for people and one or more wrong filters. These are evaluated in three ways: as the right
 //! answer, rearranged; as the right filter of another problem; as a recursion with one wrong line. The last two run on
 //! numbers of 512 bits, which is exact as far as 17 digits can tell. Whether an answer meets a mistake is decided in
 //! `meeting`, and nowhere else.
@@ -18,7 +18,7 @@ mod rearrangement;
 mod recursion;
 
 use std::ops::ControlFlow;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 pub(super) use meeting::Outcome;
 pub use page::mistakes_page;
@@ -27,7 +27,7 @@ use super::Reference;
 use crate::model::Path;
 use crate::protocol::Number;
 use crate::scalar::Rational;
-use crate::trace::Values;
+use crate::trace::{Quantity, Values};
 use comparison::Comparison;
 use fault::Fault;
 use rearrangement::Rearrangement;
@@ -161,19 +161,37 @@ pub(super) fn hypotheses() -> &'static [Hypothesis] {
     &CATALOGUE.hypotheses
 }
 
+/// What shows in answers that give certain quantities at so many steps, where a right one is among them: it shows in each.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Shown(OnceLock<(Vec<Vec<Quantity>>, Vec<Outcome>)>);
+
 /// How each hypothesis stands to an answer; nothing where nothing can be compared.
-pub(super) fn outcomes(steps: &[Values<Number>], reference: &Reference) -> Vec<Outcome> {
+///
+/// A right answer meets none (`meeting` has the reason), so what shows in it is worked out once for a case.
+pub(super) fn outcomes(steps: &[Values<Number>], reference: &Reference, is_right: bool) -> Vec<Outcome> {
     let comparison = Comparison::of(steps, reference);
     if comparison.is_empty() {
         return Vec::new();
     }
+    if !is_right {
+        return against_all(&comparison);
+    }
+    let given = comparison.quantities();
+    let (of, outcomes) = reference.shown.0.get_or_init(|| (given.clone(), against_all(&comparison)));
+    if *of == given { outcomes.clone() } else { against_all(&comparison) }
+}
+
+fn against_all(comparison: &Comparison) -> Vec<Outcome> {
     let mut outcomes: Vec<Outcome> = Vec::with_capacity(hypotheses().len());
     for hypothesis in hypotheses() {
         outcomes.push(match (outcomes.last(), &hypothesis.wrong) {
             (Some(Outcome::Silent), _) if hypothesis.fades => Outcome::Silent,
-            (_, Wrong::SinglePrecision) => meeting::in_single_precision(&comparison),
-            _ => meeting::outcome(hypothesis, &comparison),
+            (_, Wrong::SinglePrecision) => meeting::in_single_precision(comparison),
+            _ => meeting::outcome(hypothesis, comparison),
         });
     }
     outcomes
 }
+
+#[cfg(test)]
+mod tests;

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 
 use super::filter::Filter;
 use super::model::Model;
-use super::subject::{Steps, TRUTHS, answer, diagnosis, right_steps, steps};
+use super::subject::{Steps, TRUTHS, answer, diagnosis, right_steps};
 
 /// Wrong filters that are not in the catalogue.
 const UNKNOWN: [&str; 8] = [

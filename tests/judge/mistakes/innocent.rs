@@ -7,24 +7,30 @@ use exact_kalman::scalar::{Rational, Scalar as _, ratio};
 use exact_kalman::trace::Quantity;
 use rayon::prelude::*;
 
-use super::subject::{TRUTHS, answer, right_steps};
+use super::subject::{TRUTHS, right_steps};
 use crate::samples::{add, score};
+
+/// The one case where a form does what a mistake of the catalogue says: the pseudo-inverse decides ranks relative to
+/// the larger of two sensors, and so does not use the smaller one.
+const TOLD_APART: [(&str, &str, &str); 1] = [("pseudo-inverse", "units/side-by-side", "small-variances-ignored")];
 
 /// The built-in filters lose digits here and there. That is no mistake of theirs but of their form.
 #[test]
-fn built_in_forms_are_accused_of_nothing_on_any_case() {
-    let accused: Vec<String> = TRUTHS
-        .par_iter()
-        .flat_map_iter(|(case, truth)| {
-            Form::ALL.into_iter().filter_map(move |mut form| {
-                let judgement = Judgement::of(case.expect, truth, &form.reply(case));
-                let names = Diagnosis::of([&judgement]).explanations;
-                let name = names.first()?.mistake.name;
-                Some(format!("{form} on {}: {name}", case.id))
-            })
-        })
-        .collect();
-    assert!(accused.is_empty(), "{accused:#?}");
+fn built_in_forms_are_accused_of_nothing() {
+    for form in Form::ALL {
+        let judged: Vec<Judgement> = TRUTHS
+            .par_iter()
+            .map(|(case, truth)| Judgement::of(case.expect, truth, &{ form }.reply(case)))
+            .collect();
+        assert_eq!(Diagnosis::of(&judged), Diagnosis::default(), "{form}");
+        // Nor in any case by itself.
+        for (judgement, (case, _)) in judged.iter().zip(TRUTHS.iter()) {
+            for one in Diagnosis::of([judgement]).explanations {
+                let said = (form.name(), case.id.as_str(), one.mistake.name);
+                assert!(TOLD_APART.contains(&said), "{said:?}");
+            }
+        }
+    }
 }
 
 /// The last two digits of one entry: 7·10⁻¹⁵ of it, 100 units in the last place.
@@ -97,5 +103,4 @@ fn the_filter_of_these_tests_is_right_without_a_habit() {
             assert_eq!(judgement.verdict, Verdict::Agrees, "{}: {:?}", case.id, judgement.remarks);
         }
     }
-    let _ = answer;
 }

@@ -8,6 +8,7 @@ mod named;
 mod output;
 mod page;
 mod subject;
+mod together;
 
 /// Habits that are a wrong line of the recursion: what they do where noise is shared is not one thing.
 pub(crate) const LINES: [&str; 20] = [

@@ -15,20 +15,23 @@ use super::model::{M, Model};
 
 /// The cases on which mistakes are shown, with their truths: the smallest of each category that are an estimate.
 pub(crate) static TRUTHS: LazyLock<Vec<(Case, Truth)>> = LazyLock::new(|| {
-    let mut taken: BTreeMap<String, usize> = BTreeMap::new();
-    let mut cases: Vec<Case> = suite().into_iter().filter(|case| case.expect == Expect::Estimate).collect();
-    cases.sort_by_key(size);
-    cases.retain(|case| {
-        let category = case.id.split('/').next().unwrap_or_default().to_owned();
-        let count = taken.entry(category).or_default();
-        *count += 1;
-        *count <= OF_EACH_CATEGORY && size(case) <= LARGEST
-    });
+    let mut categories: BTreeMap<String, Vec<Case>> = BTreeMap::new();
+    for case in suite().into_iter().filter(|case| case.expect == Expect::Estimate && size(case) <= LARGEST) {
+        categories.entry(case.id.split('/').next().unwrap_or_default().to_owned()).or_default().push(case);
+    }
+    let mut cases: Vec<(usize, Case)> = Vec::new();
+    for mut category in categories.into_values() {
+        category.sort_by_key(size);
+        cases.extend(category.into_iter().enumerate());
+    }
+    // The smallest of each category, then the second ones, and so on.
+    cases.sort_by_key(|(rank, _)| *rank);
+    let cases: Vec<Case> = cases.into_iter().take(CASES).map(|(_, case)| case).collect();
     cases.into_par_iter().map(|case| (case.clone(), Truth::of(&case))).collect()
 });
 
 /// Each subject is asked all of them, so they are to be few …
-const OF_EACH_CATEGORY: usize = 8;
+const CASES: usize = 44;
 
 /// … and small: in steps times the square of states and sensors.
 const LARGEST: usize = 360;

@@ -79,8 +79,8 @@ pub(super) fn entries() -> Vec<Entry> {
             "small-variances-ignored",
             Kind::Mistake,
             [
-                "you do not use readings whose innovation has a variance below an absolute tolerance",
-                "It is taken for zero: a tolerance like the root of the machine's epsilon.",
+                "you do not use readings whose innovation has a variance below a tolerance",
+                "It is taken for zero: a tolerance like the root of the machine's epsilon, absolute, or relative to a sensor in other units.",
                 "Data in small units are ignored entirely.",
                 "Decide what is zero relative to the size of the data.",
             ],
