@@ -6,7 +6,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use super::exit::Trouble;
-use crate::judge::suite;
+use crate::judge::suite_seeded;
 use crate::protocol::{Case, MAXIMAL_DOCUMENT_BYTES};
 
 /// The text of a file, or of standard input for `-`, of bounded length.
@@ -92,6 +92,12 @@ pub(super) struct Selection {
     /// Only cases with this text in their id or in one of their flags; given several times, with any of them.
     #[arg(long, value_name = "TEXT")]
     only: Vec<String>,
+    /// Only cases of this category, which is the first part of their ids; given several times, of any of them.
+    #[arg(long, value_name = "NAME")]
+    category: Vec<String>,
+    /// Draw the made-up readings of the built-in suite anew; 0 has the published ones [default: 0].
+    #[arg(long, value_name = "N", conflicts_with = "cases")]
+    seed: Option<u64>,
 }
 
 impl Selection {
@@ -100,14 +106,32 @@ impl Selection {
         self.cases.as_deref() == Some(Path::new("-"))
     }
 
+    /// Whether nothing is chosen from the built-in suite.
+    pub(super) fn is_whole_suite(&self) -> bool {
+        self.cases.is_none() && self.only.is_empty() && self.category.is_empty()
+    }
+
+    /// The seed of the built-in suite; nothing for cases of one's own.
+    pub(super) fn seed(&self) -> Option<u64> {
+        self.cases.is_none().then(|| self.seed.unwrap_or(0))
+    }
+
     pub(super) fn cases(&self) -> Result<Vec<Case>, Trouble> {
         let all = match &self.cases {
             Some(path) => cases(path)?,
-            None => suite(),
+            None => suite_seeded(self.seed.unwrap_or(0)),
         };
+        let category = |case: &Case| case.id.split('/').next().unwrap_or_default().to_owned();
+        if let Some(unknown) = self.category.iter().find(|name| all.iter().all(|case| category(case) != **name)) {
+            let names: BTreeSet<String> = all.iter().map(category).collect();
+            let names: Vec<String> = names.into_iter().collect();
+            let message = format!("no category {unknown:?}; there are {}", names.join(", "));
+            return Err(Trouble::Other { place: "--category".into(), message });
+        }
         let wanted = |case: &Case| {
             let matches = |text: &String| case.id.contains(text) || case.flags.iter().any(|flag| flag.contains(text));
-            self.only.is_empty() || self.only.iter().any(matches)
+            (self.only.is_empty() || self.only.iter().any(matches))
+                && (self.category.is_empty() || self.category.contains(&category(case)))
         };
         let chosen: Vec<Case> = all.into_iter().filter(wanted).collect();
         if chosen.is_empty() {

@@ -13,6 +13,7 @@ mod input;
 mod interrupt;
 mod judge;
 mod length;
+mod manifest;
 mod notation;
 mod numbers;
 mod parallel;

@@ -37,6 +37,6 @@ pub use judgement::{Judgement, Score};
 pub use mistakes::{Kind, Mistake, mistake, mistakes, mistakes_page};
 pub use reference::Reference;
 pub use scale::Scale;
-pub use suite::{meaning, suite};
+pub use suite::{Category, Flag, SUITE_VERSION, categories, flag, flags, meaning, suite, suite_seeded};
 pub use truth::Truth;
 pub use verdict::Verdict;

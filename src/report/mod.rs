@@ -8,12 +8,14 @@ mod comparison;
 mod diagnosis;
 mod entry;
 mod json;
+mod reference;
 mod text;
 
 use std::collections::BTreeMap;
 
 pub use comparison::side_by_side;
 pub use json::json;
+pub use reference::reference;
 pub use text::text;
 
 use crate::judge::{Diagnosis, Judgement, Verdict};

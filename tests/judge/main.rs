@@ -7,6 +7,7 @@ mod built_in;
 mod digits;
 mod exact_solver;
 mod mistakes;
+mod references;
 mod samples;
 mod suite;
 mod verdicts;

@@ -1,13 +1,27 @@
 //! Cases and answers that the tests start from.
 
+use std::sync::LazyLock;
+
 use exact_kalman::filter::{filter, one_shot};
 use exact_kalman::judge::{Judgement, Score, Truth, suite};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::Path;
 use exact_kalman::protocol::{Answer, Case, Number, Outcome, Reply};
-use exact_kalman::scalar::{Rational, exact_value, nearest_double};
+use exact_kalman::scalar::{Precision, Rational, exact_value, nearest_double};
 use exact_kalman::trace::{Quantity, Values};
+use rayon::prelude::*;
 use serde_json::{Value, json};
+
+/// The cases of the suite with their truths, computed once.
+pub(crate) static TRUTHS: LazyLock<Vec<(Case, Truth)>> = LazyLock::new(|| {
+    suite()
+        .into_par_iter()
+        .map(|case| {
+            let truth = Truth::of(&case);
+            (case, truth)
+        })
+        .collect()
+});
 
 /// A case of the suite.
 pub(crate) fn of_suite(id: &str) -> Case {
@@ -70,9 +84,19 @@ pub(crate) fn exact_values(case: &Case) -> Vec<Values<Rational>> {
         .collect()
 }
 
-/// The exact answer, through the text of an answer.
+/// The exact answer, through the text of an answer; literals that no answer may hold are rounded to 400 bits.
 pub(crate) fn exact_answer(case: &Case) -> Answer {
-    Answer::parse(&Answer::answered(&case.id, exact_values(case)).to_line()).unwrap()
+    let short = |value: &Rational| {
+        if value.numer().bits() + value.denom().bits() > 13_000 {
+            Precision::Rounded { bits: 400 }.of(value)
+        } else {
+            value.clone()
+        }
+    };
+    let values =
+        |values: Values<Rational>| values.into_iter().map(|(name, matrix)| (name, matrix.map(short))).collect();
+    let steps = exact_values(case).into_iter().map(values).collect();
+    Answer::parse(&Answer::answered(&case.id, steps).to_line()).unwrap()
 }
 
 /// The doubles nearest to the exact answer.

@@ -75,7 +75,7 @@ impl Rearrangement {
             Self::NextPredictionForPredicted => with(here, PREDICTED, next, PREDICTED),
             Self::Late => step.checked_sub(1).and_then(|before| reference.values.get(before)).cloned().unwrap_or_default(),
             Self::Early => next.cloned().unwrap_or_default(),
-            Self::Roots => covariances(here, |p| Some(p.map(|entry| super::problem::root(entry)))),
+            Self::Roots => covariances(here, |p| Some(p.map(super::problem::root))),
             Self::Factor { upper } => covariances(here, |p| {
                 let lower = factor(p);
                 Some(if upper { lower.transpose() } else { lower })

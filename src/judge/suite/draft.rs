@@ -2,7 +2,7 @@
 
 use crate::model::{Before, Timing};
 use crate::protocol::{
-    Along, Case, CaseFormat, Entry, Expect, InitialLaw, InputTerm, Matrices, NoiseLaw, Numbers, Rows,
+    Along, Case, CaseFormat, Entry, Expect, InitialLaw, InputTerm, Matrices, NoiseLaw, Numbers, Rows, Vectors,
 };
 
 /// A case in the making. It begins as a constant scalar state, read with noise of variance 1.
@@ -24,19 +24,9 @@ fn along<T: AsRef<str>>(texts: impl IntoIterator<Item = T>) -> Matrices {
     )
 }
 
-/// A scaled whole number as a decimal: `thousandths(-1250)` is "-1.250".
-pub(super) fn thousandths(value: i64) -> String {
-    let sign = if value < 0 { "-" } else { "" };
-    format!("{sign}{}.{:03}", value.abs() / 1000, value.abs() % 1000)
-}
-
-/// Whole numbers that look like readings: a fixed linear congruence, in −range ..= range.
-pub(super) fn scatter(seed: i64, count: i64, range: i64) -> impl Iterator<Item = i64> {
-    let mut state = seed;
-    (0..count).map(move |_| {
-        state = (state * 75 + 74) % 65537;
-        state % (2 * range + 1) - range
-    })
+/// One vector per observation.
+fn vectors_along<T: AsRef<str>>(texts: impl IntoIterator<Item = T>) -> Vectors {
+    Along::PerStep(texts.into_iter().map(|text| Some(vector(text.as_ref()))).collect())
 }
 
 impl Draft {
@@ -130,6 +120,13 @@ impl Draft {
         self
     }
 
+    pub(super) fn crosses<T: AsRef<str>>(mut self, matrices: impl IntoIterator<Item = T>) -> Self {
+        if let NoiseLaw::Covariances { cross, .. } = &mut self.0.noise {
+            *cross = Some(along(matrices));
+        }
+        self
+    }
+
     pub(super) fn factors(mut self, process: &str, observation: &str) -> Self {
         let (process, observation) = (Along::Constant(rows(process)), Along::Constant(rows(observation)));
         self.0.noise = NoiseLaw::Factors { process, observation };
@@ -137,13 +134,39 @@ impl Draft {
     }
 
     pub(super) fn input<T: AsRef<str>>(mut self, matrix: &str, vectors: impl IntoIterator<Item = T>) -> Self {
-        let vectors = vectors.into_iter().map(|text| Some(vector(text.as_ref()))).collect();
-        self.0.input = Some(InputTerm { matrix: Some(Along::Constant(rows(matrix))), vector: Along::PerStep(vectors) });
+        self.0.input = Some(InputTerm { matrix: Some(Along::Constant(rows(matrix))), vector: vectors_along(vectors) });
+        self
+    }
+
+    pub(super) fn constant_input(mut self, matrix: &str, constant: &str) -> Self {
+        let vector = Along::Constant(vector(constant));
+        self.0.input = Some(InputTerm { matrix: Some(Along::Constant(rows(matrix))), vector });
+        self
+    }
+
+    pub(super) fn inputs<T: AsRef<str>, U: AsRef<str>>(
+        mut self,
+        matrices: impl IntoIterator<Item = T>,
+        vectors: impl IntoIterator<Item = U>,
+    ) -> Self {
+        self.0.input = Some(InputTerm { matrix: Some(along(matrices)), vector: vectors_along(vectors) });
         self
     }
 
     pub(super) fn observation_input(mut self, constant: &str) -> Self {
         self.0.observation_input = Some(InputTerm { matrix: None, vector: Along::Constant(vector(constant)) });
+        self
+    }
+
+    pub(super) fn feed_through<T: AsRef<str>>(mut self, matrix: &str, vectors: impl IntoIterator<Item = T>) -> Self {
+        let matrix = Some(Along::Constant(rows(matrix)));
+        self.0.observation_input = Some(InputTerm { matrix, vector: vectors_along(vectors) });
+        self
+    }
+
+    /// Numbers mean the nearest single-precision numbers.
+    pub(super) fn single(mut self) -> Self {
+        self.0.numbers = Numbers::Binary32;
         self
     }
 
@@ -162,6 +185,43 @@ impl Draft {
         let entry = |text: &str| if text == "-" { None } else { Some(Entry::from(text)) };
         let reading = |text: &str| (!text.is_empty()).then(|| text.split_whitespace().map(entry).collect());
         self.0.observations = readings.into_iter().map(|text| reading(text.as_ref())).collect();
+        for flag in evident(&self.0) {
+            if !self.0.flags.iter().any(|known| known == flag) {
+                self.0.flags.push(flag.to_owned());
+            }
+        }
         self.0
     }
+}
+
+/// The flags that can be read off a document: nobody has to remember them.
+fn evident(case: &Case) -> Vec<&'static str> {
+    let varies = |matrices: &Matrices| matches!(matrices, Along::PerStep(_));
+    let (noise_varies, correlated) = match &case.noise {
+        NoiseLaw::Covariances { process, cross, observation } => {
+            (varies(process) || varies(observation) || cross.as_ref().is_some_and(varies), cross.is_some())
+        }
+        NoiseLaw::Factors { process, observation } => (varies(process) || varies(observation), false),
+    };
+    let matrix_varies =
+        |term: &Option<InputTerm>| term.as_ref().and_then(|term| term.matrix.as_ref()).is_some_and(varies);
+    let time_varying = varies(&case.transition)
+        || varies(&case.observation)
+        || noise_varies
+        || matrix_varies(&case.input)
+        || matrix_varies(&case.observation_input);
+    let gap = |reading: &Option<Vec<Option<Entry>>>| reading.as_ref().is_none_or(|entries| entries.contains(&None));
+    let evidence = [
+        ("input", case.input.is_some() || case.observation_input.is_some()),
+        ("missing", case.observations.iter().any(gap)),
+        ("time-varying", time_varying && case.expect != Expect::Refuse),
+        ("correlated", correlated),
+        ("arriving", case.timing == Timing::Arriving),
+        ("before-transition", case.initial.before == Before::Transition),
+        ("diffuse", case.initial.diffuse.is_some()),
+        ("contradiction", case.expect == Expect::Flag),
+        ("binary32", case.numbers == Numbers::Binary32),
+        ("bad-input", case.expect == Expect::Refuse),
+    ];
+    evidence.into_iter().filter(|(_, is_evident)| *is_evident).map(|(flag, _)| flag).collect()
 }

@@ -30,15 +30,19 @@ impl Filter<'_> {
         self.habit == habit
     }
 
+    fn goes(&self, way: f64) -> bool {
+        self.way.total_cmp(&way).is_eq()
+    }
+
     /// Another index where the habit says so: the step before (way 0) or the next (way 1) that `has` one.
     fn index(&self, habit: &str, frozen: &str, k: usize, has: impl Fn(usize) -> bool, count: usize) -> usize {
         let first = (0..count).find(|&i| has(i)).unwrap_or(k);
         let last = (0..count).rfind(|&i| has(i)).unwrap_or(k);
         if self.is(habit) {
-            let other = if self.way == 0.0 { k.saturating_sub(1).max(first) } else { (k + 1).min(last) };
+            let other = if self.goes(0.0) { k.saturating_sub(1).max(first) } else { (k + 1).min(last) };
             if has(other) { other } else { k }
         } else if self.is(frozen) {
-            if self.way == 0.0 { first } else { last }
+            if self.goes(0.0) { first } else { last }
         } else {
             k
         }
@@ -76,7 +80,7 @@ impl Filter<'_> {
     }
 
     fn in_other_units(&self, matrix: &M) -> M {
-        matrix.map(|entry| if self.way == 0.0 { entry * entry } else { entry.abs().sqrt().copysign(entry) })
+        matrix.map(|entry| if self.goes(0.0) { entry * entry } else { entry.abs().sqrt().copysign(entry) })
     }
 
     fn sight(&self, model: &Model, k: usize, last: &mut [Option<f64>]) -> Sight {
@@ -160,12 +164,12 @@ impl Filter<'_> {
     }
 
     fn moves_after(&self, model: &Model) -> bool {
-        model.arriving == self.swaps_timing() && !(self.is("initial-law-before-a-transition") && self.way == 2.0)
+        model.arriving == self.swaps_timing() && !(self.is("initial-law-before-a-transition") && self.goes(2.0))
     }
 
     fn moves_before(&self, model: &Model, k: usize) -> bool {
         if self.is("initial-law-before-a-transition") {
-            return k == 0 || model.arriving || self.way == 2.0;
+            return k == 0 || model.arriving || self.goes(2.0);
         }
         if self.is("cross-covariance-of-the-other-timing") && k == 0 {
             return model.before_transition;
@@ -179,11 +183,11 @@ impl Filter<'_> {
     /// The motion that is made before reading k.
     fn motion_before(&self, model: &Model, k: usize) -> Option<Motion> {
         let count = model.motions.len();
-        if self.is("initial-law-before-a-transition") && (k == 0 || self.way == 2.0) {
+        if self.is("initial-law-before-a-transition") && (k == 0 || self.goes(2.0)) {
             let known = |i: usize| model.motions[i].is_some();
             let own = if known(k) { k } else if k == 0 { (0..count).find(|&i| known(i))? } else { (0..count).rfind(|&i| known(i))? };
             let mut motion = self.motion(model, own)?;
-            if self.way == 1.0 && k == 0 {
+            if self.goes(1.0) && k == 0 {
                 motion.u.fill(0.0);
             }
             return Some(motion);
@@ -294,7 +298,7 @@ impl Filter<'_> {
             "joseph-without-noise" => &left * p * left.transpose(),
             "joseph-with-unit-noise" => &left * p * left.transpose() + &gain * gain.transpose(),
             "covariance-update-adds" => p + &gain * &s * gain.transpose(),
-            "predictor-gain-for-filtered" if self.way == 1.0 => (M::identity(n, n) - &ahead * &c) * p,
+            "predictor-gain-for-filtered" if self.goes(1.0) => (M::identity(n, n) - &ahead * &c) * p,
             "filtered-covariance-raised" => p - &gain * cross.transpose() + M::identity(n, n) * self.way,
             "fading-memory" => (p - &gain * cross.transpose()) * 1.01,
             _ => p - &gain * cross.transpose(),

@@ -27,6 +27,12 @@ fn on(values: &mut Values<f64>, names: &[Quantity], change: impl Fn(&Matrix<f64>
     }
 }
 
+fn on_all(values: &mut Values<f64>, change: impl Fn(&f64) -> f64) {
+    for value in values.values_mut() {
+        *value = value.map(&change);
+    }
+}
+
 fn dense(matrix: &Matrix<f64>) -> M {
     M::from_fn(matrix.rows(), matrix.columns(), |i, j| matrix[(i, j)])
 }
@@ -79,6 +85,7 @@ pub(crate) fn spoiled(filter: &Filter<'_>, model: &Model, said: &[Said], steps: 
                     Matrix::column(rows.iter().filter_map(|&i| sight.y[i].map(|y| y - left[(i, 0)])).collect())
                 });
             }
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small whole number")]
             "few-digits" => {
                 let digits = filter.way.abs() as usize;
                 let printed = |value: &f64| {
@@ -89,11 +96,11 @@ pub(crate) fn spoiled(filter: &Filter<'_>, model: &Model, said: &[Said], steps: 
                     };
                     text.parse().expect("a printed number")
                 };
-                values.values_mut().for_each(|value| *value = value.map(printed));
+                on_all(values, printed);
             }
             #[expect(clippy::cast_possible_truncation, reason = "this is the mistake")]
             "single-precision" => {
-                values.values_mut().for_each(|value| *value = value.map(|entry| f64::from(*entry as f32)));
+                on_all(values, |entry| f64::from(*entry as f32));
             }
             _ => {}
         }

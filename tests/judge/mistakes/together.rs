@@ -72,7 +72,7 @@ fn counts_are_of_answers_that_show_it() {
     assert!(one.met <= one.shows && one.shows <= answered && one.met == one.explains.len());
     assert!(one.met + 4 >= one.shows, "{} of {}", one.met, one.shows);
     // Half of the answers right: then it is no longer what the program does, though it is what some answers are.
-    let mixed = |case: &Case| if case.id.len() % 3 == 0 { steps(&filter, case) } else { right_steps(case) };
+    let mixed = |case: &Case| if case.id.len().is_multiple_of(3) { steps(&filter, case) } else { right_steps(case) };
     assert_eq!(super::subject::diagnosis(mixed).1, Diagnosis::default());
 }
 

@@ -3,6 +3,7 @@
 use super::super::rearrangement::Rearrangement;
 use super::{Entry, Kind, Ways, Wrong, entry};
 
+#[expect(clippy::too_many_lines, reason = "a list")]
 pub(super) fn entries() -> Vec<Entry> {
     vec![
         entry(

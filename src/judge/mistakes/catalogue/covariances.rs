@@ -28,6 +28,7 @@ fn twice(matrix: &Matrix<Rational>) -> Matrix<Rational> {
 
 const UNITS: &str = "The argument of a library is a standard deviation, and a variance is given, or the other way round.";
 
+#[expect(clippy::too_many_lines, reason = "a list")]
 pub(super) fn entries() -> Vec<Entry> {
     use Covariance::{Initial, Observation, Process};
     vec![

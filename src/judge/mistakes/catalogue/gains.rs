@@ -9,6 +9,7 @@ fn line(name: &'static str, text: [&'static str; 4], fault: Fault) -> Entry {
 
 const ONE_LINE: &str = "One line of the filter is missing, or was lost when it was rewritten.";
 
+#[expect(clippy::too_many_lines, reason = "a list")]
 pub(super) fn entries() -> Vec<Entry> {
     vec![
         line(

@@ -18,6 +18,7 @@ fn kept(name: &'static str, part: Part, text: [&'static str; 4]) -> Entry {
 const OFF_BY_ONE: &str = "An index that is off by one; constant models do not show it.";
 const SETUP: &str = "The filter is set up once, before the loop.";
 
+#[expect(clippy::too_many_lines, reason = "a list")]
 pub(super) fn entries() -> Vec<Entry> {
     vec![
         shifted(
