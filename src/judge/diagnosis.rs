@@ -1,7 +1,7 @@
 //! Which known mistakes explain the findings of a whole run.
 
-use super::mistakes::{Hypothesis, Mistake, Outcome, hypotheses, mistakes};
 use super::Judgement;
+use super::mistakes::{Hypothesis, Mistake, Outcome, hypotheses, mistakes};
 
 /// What a run looks like: as few known mistakes as explain as many findings as possible.
 ///
@@ -83,7 +83,8 @@ impl Diagnosis {
         candidates.retain(|candidate| candidate.met.len() > candidate.missed());
         let (mut explained, mut explanations) = (Vec::new(), Vec::new());
         loop {
-            let worth = |support: &Support| (support.newly_explained(&explained).count(), usize::MAX - support.missed());
+            let worth =
+                |support: &Support| (support.newly_explained(&explained).count(), usize::MAX - support.missed());
             // Of equals the first, which is that of the catalogue's order.
             let best = candidates.iter().rev().max_by_key(|candidate| worth(candidate));
             let Some(best) = best.filter(|best| worth(best).0 > 0) else { break };

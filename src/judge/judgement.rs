@@ -57,7 +57,15 @@ impl Judgement {
     }
 
     fn empty(verdict: Verdict) -> Self {
-        Self { verdict, structural: false, scores: Vec::new(), indefinite: None, asymmetric: None, remarks: Vec::new(), mistakes: Vec::new() }
+        Self {
+            verdict,
+            structural: false,
+            scores: Vec::new(),
+            indefinite: None,
+            asymmetric: None,
+            remarks: Vec::new(),
+            mistakes: Vec::new(),
+        }
     }
 
     /// The judgement on a case to which there is no answer that can be read.

@@ -76,8 +76,17 @@ impl Reference {
         let seen = observed.iter().map(Vec::as_slice).zip(&values);
         let largest = Largest::of(&path.initial().covariance, path.sensors(), seen);
         let structural = contradiction.is_some() || singular;
-        let mut reference =
-            Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, path: path.clone(), shown: Shown::default(), largest };
+        let mut reference = Self {
+            values,
+            observed,
+            contradiction,
+            attainable: Vec::new(),
+            ranks,
+            structural,
+            path: path.clone(),
+            shown: Shown::default(),
+            largest,
+        };
         reference.attainable = reference.attained(path);
         Ok(reference)
     }

@@ -31,7 +31,8 @@ pub fn text(report: &Report, all: bool) -> String {
     }
     for (number, &(place, (case, judgement))) in findings.iter().take(shown).enumerate() {
         let id = printable(&case.id);
-        let _ = write!(out, "\n{}. {id}: {}\n{}", number + 1, judgement.verdict, finding(case, judgement, place, &looks));
+        let _ =
+            write!(out, "\n{}. {id}: {}\n{}", number + 1, judgement.verdict, finding(case, judgement, place, &looks));
     }
     if shown < findings.len() {
         let _ = writeln!(out, "\n… and {}; --all shows them", counted(findings.len() - shown, "more finding"));

@@ -54,9 +54,8 @@ impl Inverse {
             .map(|i| covariance[(i, i)].minus(least).value() >= crate::scalar::ratio(0, 1))
             .collect();
         let m = covariance.rows();
-        let block = Matrix::from_fn(m, m, |i, j| {
-            if kept[i] && kept[j] { covariance[(i, j)].clone() } else { Real::zero() }
-        });
+        let block =
+            Matrix::from_fn(m, m, |i, j| if kept[i] && kept[j] { covariance[(i, j)].clone() } else { Real::zero() });
         inverted(&block, &self.least)
     }
 }
@@ -73,8 +72,7 @@ fn inverted(matrix: &Matrix<Real>, least: &[i64]) -> Matrix<Real> {
             continue;
         }
         is_pivot[k] = true;
-        let (row, column): (Vec<_>, Vec<_>) =
-            (0..m).map(|j| (rest[(k, j)].clone(), rest[(j, k)].clone())).unzip();
+        let (row, column): (Vec<_>, Vec<_>) = (0..m).map(|j| (rest[(k, j)].clone(), rest[(j, k)].clone())).unzip();
         // The sweep operator: swept pivots hold the negative of the inverse.
         rest = Matrix::from_fn(m, m, |i, j| match (i == k, j == k) {
             (true, true) => factor.negated(),

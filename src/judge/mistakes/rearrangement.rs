@@ -49,7 +49,9 @@ pub(super) enum Rearrangement {
     Single,
 }
 
-use Quantity::{FilteredCovariance, FilteredMean, Innovation, InnovationCovariance, PredictedCovariance, PredictedMean};
+use Quantity::{
+    FilteredCovariance, FilteredMean, Innovation, InnovationCovariance, PredictedCovariance, PredictedMean,
+};
 
 const FILTERED: [Quantity; 2] = [FilteredMean, FilteredCovariance];
 const PREDICTED: [Quantity; 2] = [PredictedMean, PredictedCovariance];
@@ -73,7 +75,9 @@ impl Rearrangement {
             }
             Self::NextPredictionForFiltered => with(here, FILTERED, next, PREDICTED),
             Self::NextPredictionForPredicted => with(here, PREDICTED, next, PREDICTED),
-            Self::Late => step.checked_sub(1).and_then(|before| reference.values.get(before)).cloned().unwrap_or_default(),
+            Self::Late => {
+                step.checked_sub(1).and_then(|before| reference.values.get(before)).cloned().unwrap_or_default()
+            }
             Self::Early => next.cloned().unwrap_or_default(),
             Self::Roots => covariances(here, |p| Some(p.map(super::problem::root))),
             Self::Factor { upper } => covariances(here, |p| {
@@ -100,7 +104,9 @@ impl Rearrangement {
             }
             Self::Significant(digits) => all(here, |value| Decimal::rounded(value, digits).value()),
             Self::Decimals(digits) => all(here, |value| rounded_to_decimals(value, digits)),
-            Self::Single => all(here, |value| exact_value(f64::from(nearest_single(value))).unwrap_or_else(Rational::zero)),
+            Self::Single => {
+                all(here, |value| exact_value(f64::from(nearest_single(value))).unwrap_or_else(Rational::zero))
+            }
         })
     }
 }

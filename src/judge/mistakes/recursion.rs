@@ -156,7 +156,9 @@ impl<'a> Recursion<'a> {
                 &seen.cross * self.ranks.inverse(&without, &seen.observed).matrix()
             }
             Fault::GainOfTheDiagonal => &seen.cross * inverse.of_diagonal(&seen.innovation_covariance),
-            Fault::SmallVariancesIgnored(least) => &seen.cross * inverse.of_those_above(&seen.innovation_covariance, least),
+            Fault::SmallVariancesIgnored(least) => {
+                &seen.cross * inverse.of_those_above(&seen.innovation_covariance, least)
+            }
             _ => &seen.cross * inverse.matrix(),
         };
         if matches!(self.fault, Fault::GainOfTheFirstStep) && !seen.observed.is_empty() {
@@ -182,9 +184,7 @@ impl<'a> Recursion<'a> {
             Fault::JosephWithUnitNoise => left(&gain).congruence(p) + &gain * gain.transpose(),
             Fault::CovarianceUpdateAdds => p + gain.congruence(&seen.innovation_covariance),
             Fault::PredictorGainForBoth => left(used) * p,
-            Fault::FilteredCovarianceRaised(by) => {
-                p - &gain * seen.cross.transpose() + Matrix::identity(n).scaled(by)
-            }
+            Fault::FilteredCovarianceRaised(by) => p - &gain * seen.cross.transpose() + Matrix::identity(n).scaled(by),
             _ => p - &gain * seen.cross.transpose(),
         };
         let mean = if matches!(self.fault, Fault::MeanNotUpdated) { mean.clone() } else { mean + move_of(used) };
@@ -208,9 +208,8 @@ impl<'a> Recursion<'a> {
         let transition = step.transition.as_ref()?;
         let mut next = moved(filtered, transition, self.fault);
         if matches!(self.fault, Fault::FilterGainInThePredictor) {
-            next.mean = reals(&transition.matrix) * &predicted.mean
-                + reals(&transition.input)
-                + gain * &seen.innovation;
+            next.mean =
+                reals(&transition.matrix) * &predicted.mean + reals(&transition.input) + gain * &seen.innovation;
         }
         if !transition.cross_noise.is_zero() {
             // E of the transition's noise given the reading, which shares it.

@@ -15,7 +15,9 @@ fn paths() -> Vec<(String, Path<Rational>)> {
     let cases = suite().into_iter().filter(|case| case.expect == Expect::Estimate && case.observations.len() <= 30);
     cases
         .filter(|case| case.initial.mean.len() <= 4)
-        .map(|case| (case.id.clone(), case.problem().and_then(|problem| problem.realised()).expect("a case of the suite")))
+        .map(|case| {
+            (case.id.clone(), case.problem().and_then(|problem| problem.realised()).expect("a case of the suite"))
+        })
         .collect()
 }
 
@@ -41,8 +43,7 @@ fn without_a_fault_the_recursion_is_the_filter() {
     for (id, path) in paths() {
         let theirs: Vec<_> = Recursion::new(&path, &Fault::None).into_iter().flatten().collect();
         let exact = filter_rational(&path, Effort::default()).expect("data as a model makes them");
-        let exact: Vec<_> =
-            exact.iter().map(|step| step.fractions(Precision::Rounded { bits: 256 }).values).collect();
+        let exact: Vec<_> = exact.iter().map(|step| step.fractions(Precision::Rounded { bits: 256 }).values).collect();
         assert_eq!(theirs.len(), exact.len(), "{id}");
         agree(&id, &theirs, &exact);
     }
@@ -56,7 +57,8 @@ fn other_problems_are_solved_as_the_readable_recursion_solves_them() {
         for hypothesis in hypotheses() {
             let Wrong::Problem(change) = &hypothesis.wrong else { continue };
             let Some(other) = change(&path).filter(|other| *other != path) else { continue };
-            let exact: Vec<_> = Records::new(&other).take(3).map_while(Result::ok).map(|record| record.values()).collect();
+            let exact: Vec<_> =
+                Records::new(&other).take(3).map_while(Result::ok).map(|record| record.values()).collect();
             let theirs: Vec<_> = Recursion::new(&other, &Fault::None).into_iter().flatten().take(exact.len()).collect();
             assert_eq!(theirs.len(), exact.len(), "{id}");
             agree(&id, &theirs, &exact);

@@ -142,7 +142,8 @@ fn drawn(case: &Case, seed: u64) -> Option<Steps> {
 /// others that would outvote it.
 #[test]
 fn no_wrong_answer_drawn_at_random_is_named() {
-    let seeds: Vec<(usize, u64)> = (0..TRUTHS.len()).flat_map(|place| (0..draws()).map(move |draw| (place, draw))).collect();
+    let seeds: Vec<(usize, u64)> =
+        (0..TRUTHS.len()).flat_map(|place| (0..draws()).map(move |draw| (place, draw))).collect();
     let judged: Vec<(bool, Vec<String>)> = seeds
         .into_par_iter()
         .filter_map(|(place, draw)| {

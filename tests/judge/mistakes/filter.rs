@@ -185,7 +185,13 @@ impl Filter<'_> {
         let count = model.motions.len();
         if self.is("initial-law-before-a-transition") && (k == 0 || self.goes(2.0)) {
             let known = |i: usize| model.motions[i].is_some();
-            let own = if known(k) { k } else if k == 0 { (0..count).find(|&i| known(i))? } else { (0..count).rfind(|&i| known(i))? };
+            let own = if known(k) {
+                k
+            } else if k == 0 {
+                (0..count).find(|&i| known(i))?
+            } else {
+                (0..count).rfind(|&i| known(i))?
+            };
             let mut motion = self.motion(model, own)?;
             if self.goes(1.0) && k == 0 {
                 motion.u.fill(0.0);
@@ -198,7 +204,8 @@ impl Filter<'_> {
         if self.is("transitions-of-the-other-timing") && model.motions[k].is_none() {
             return self.motion(model, (0..count).rfind(|&i| model.motions[i].is_some())?);
         }
-        if self.is("no-prediction-in-gaps") && model.arriving && k > 0 && model.sights[k].y.iter().all(Option::is_none) {
+        if self.is("no-prediction-in-gaps") && model.arriving && k > 0 && model.sights[k].y.iter().all(Option::is_none)
+        {
             return None;
         }
         self.motion(model, k)
@@ -328,9 +335,13 @@ impl Filter<'_> {
 
 fn inverted(s: &M) -> M {
     match s.clone().try_inverse() {
-        Some(inverse) if s.nrows() == 1 || s.determinant().abs() > 1e-14 * s.diagonal().iter().product::<f64>().abs() => {
+        Some(inverse)
+            if s.nrows() == 1 || s.determinant().abs() > 1e-14 * s.diagonal().iter().product::<f64>().abs() =>
+        {
             inverse
         }
-        _ => s.clone().pseudo_inverse(1e-12 * s.amax().max(f64::MIN_POSITIVE)).expect("a tolerance that is not negative"),
+        _ => {
+            s.clone().pseudo_inverse(1e-12 * s.amax().max(f64::MIN_POSITIVE)).expect("a tolerance that is not negative")
+        }
     }
 }

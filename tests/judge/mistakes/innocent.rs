@@ -18,10 +18,8 @@ const TOLD_APART: [(&str, &str, &str); 1] = [("pseudo-inverse", "units/side-by-s
 #[test]
 fn built_in_forms_are_accused_of_nothing() {
     for form in Form::ALL {
-        let judged: Vec<Judgement> = TRUTHS
-            .par_iter()
-            .map(|(case, truth)| Judgement::of(case.expect, truth, &{ form }.reply(case)))
-            .collect();
+        let judged: Vec<Judgement> =
+            TRUTHS.par_iter().map(|(case, truth)| Judgement::of(case.expect, truth, &{ form }.reply(case))).collect();
         assert_eq!(Diagnosis::of(&judged), Diagnosis::default(), "{form}");
         // Nor in any case by itself.
         for (judgement, (case, _)) in judged.iter().zip(TRUTHS.iter()) {
@@ -57,10 +55,15 @@ fn a_lie_in_one_entry_is_located_and_not_named() {
 fn is_located(case: &Case, truth: &Truth, place: (usize, Quantity, usize, usize)) -> bool {
     let Truth::Known(reference) = truth else { return false };
     let (step, quantity, row, column) = place;
-    let Some(exact) = reference.values[step].get(&quantity).map(|exact| exact[(row, column)].clone()) else { return false };
+    let Some(exact) = reference.values[step].get(&quantity).map(|exact| exact[(row, column)].clone()) else {
+        return false;
+    };
     // A lie must be larger than the unit of the digits that doubles keep: means may be far below their spread.
     let digits = reference.attainable[step][&quantity];
-    if exact == Rational::zero() || digits.value() < 14.9 || quantity == Quantity::FilteredMean && is_small(reference, place) {
+    if exact == Rational::zero()
+        || digits.value() < 14.9
+        || quantity == Quantity::FilteredMean && is_small(reference, place)
+    {
         return false;
     }
     let mut answer = rounded(case, reference);
@@ -98,7 +101,8 @@ fn the_filter_of_these_tests_is_right_without_a_habit() {
     assert_eq!(Diagnosis::of(&judgements), Diagnosis::default());
     for (judgement, (case, truth)) in judgements.iter().zip(TRUTHS.iter()) {
         // Rounding is another matter: the form is the textbook's.
-        let plain = case.flags.iter().all(|flag| ["basic", "input", "missing", "time-varying"].contains(&flag.as_str()));
+        let plain =
+            case.flags.iter().all(|flag| ["basic", "input", "missing", "time-varying"].contains(&flag.as_str()));
         if plain && matches!(truth, Truth::Known(_)) {
             assert_eq!(judgement.verdict, Verdict::Agrees, "{}: {:?}", case.id, judgement.remarks);
         }

@@ -51,7 +51,8 @@ fn each_mistake_is_named_first() {
     let several: BTreeSet<&str> = WAYS.iter().map(|(name, ..)| *name).collect();
     let single = mistakes().iter().map(|mistake| mistake.name).filter(|name| !several.contains(name));
     let subjects: Vec<(&str, f64, &str)> = single.map(|name| (name, 0.0, "")).chain(WAYS).collect();
-    let failures: Vec<String> = subjects.into_par_iter().filter_map(|(name, way, label)| failure(name, way, label)).collect();
+    let failures: Vec<String> =
+        subjects.into_par_iter().filter_map(|(name, way, label)| failure(name, way, label)).collect();
     assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }
 

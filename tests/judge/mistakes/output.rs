@@ -71,7 +71,9 @@ pub(crate) fn spoiled(filter: &Filter<'_>, model: &Model, said: &[Said], steps: 
                 back(&if filter.way == 0.0 { lower } else { lower.transpose() })
             }),
             "inverse-for-covariance" => {
-                on(values, &COVARIANCES, |p| dense(p).try_inverse().map_or_else(|| p.clone(), |inverse| back(&inverse)));
+                on(values, &COVARIANCES, |p| {
+                    dense(p).try_inverse().map_or_else(|| p.clone(), |inverse| back(&inverse))
+                });
             }
             "covariances-without-off-diagonals" => {
                 on(values, &COVARIANCES, |p| back(&M::from_diagonal(&dense(p).diagonal())));
@@ -89,11 +91,8 @@ pub(crate) fn spoiled(filter: &Filter<'_>, model: &Model, said: &[Said], steps: 
             "few-digits" => {
                 let digits = filter.way.abs() as usize;
                 let printed = |value: &f64| {
-                    let text = if filter.way > 0.0 {
-                        format!("{value:.*e}", digits - 1)
-                    } else {
-                        format!("{value:.digits$}")
-                    };
+                    let text =
+                        if filter.way > 0.0 { format!("{value:.*e}", digits - 1) } else { format!("{value:.digits$}") };
                     text.parse().expect("a printed number")
                 };
                 on_all(values, printed);

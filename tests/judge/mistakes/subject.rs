@@ -98,9 +98,8 @@ pub(crate) fn answer(case: &Case, steps: Option<Steps>) -> Answer {
 
 /// The judgements on what `answers` says to each case.
 pub(crate) fn judgements(answers: impl Fn(&Case) -> Option<Steps> + Sync) -> Vec<Judgement> {
-    let judged = |(case, truth): &(Case, Truth)| {
-        Judgement::of(case.expect, truth, &Reply::Answer(answer(case, answers(case))))
-    };
+    let judged =
+        |(case, truth): &(Case, Truth)| Judgement::of(case.expect, truth, &Reply::Answer(answer(case, answers(case))));
     TRUTHS.par_iter().map(judged).collect()
 }
 

@@ -26,7 +26,8 @@ fn twice(matrix: &Matrix<Rational>) -> Matrix<Rational> {
     matrix.scaled(&ratio(2, 1))
 }
 
-const UNITS: &str = "The argument of a library is a standard deviation, and a variance is given, or the other way round.";
+const UNITS: &str =
+    "The argument of a library is a standard deviation, and a variance is given, or the other way round.";
 
 #[expect(clippy::too_many_lines, reason = "a list")]
 pub(super) fn entries() -> Vec<Entry> {

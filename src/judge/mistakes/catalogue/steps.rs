@@ -5,7 +5,8 @@ use super::{Entry, Kind, Ways, entry};
 
 /// The index of a coefficient, shifted.
 fn shifted(name: &'static str, part: Part, text: [&'static str; 4]) -> Entry {
-    let ways = [("of the step before", of_another_step(part, false)), ("of the next step", of_another_step(part, true))];
+    let ways =
+        [("of the step before", of_another_step(part, false)), ("of the next step", of_another_step(part, true))];
     entry(name, Kind::Mistake, text, Ways::named(ways))
 }
 

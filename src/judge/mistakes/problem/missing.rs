@@ -32,7 +32,9 @@ pub(in super::super) fn gaps(gap: Gap) -> Change {
             let filled = match gap {
                 Gap::WholeReading if entries.iter().any(Option::is_none) => vec![None; entries.len()],
                 Gap::Zero => entries.iter().map(|y| y.clone().or_else(|| Some(ratio(0, 1)))).collect(),
-                Gap::LastReading => entries.iter().zip(&last).map(|(y, last)| y.clone().or_else(|| last.clone())).collect(),
+                Gap::LastReading => {
+                    entries.iter().zip(&last).map(|(y, last)| y.clone().or_else(|| last.clone())).collect()
+                }
                 _ => entries.to_vec(),
             };
             last.clone_from(&filled);

@@ -39,7 +39,8 @@ pub(in super::super) fn other_timing() -> Change {
             return None;
         }
         let count = transitions.len();
-        let own = |k: usize| transitions[k].clone().unwrap_or_else(|| if k == 0 { first.clone() } else { last.clone() });
+        let own =
+            |k: usize| transitions[k].clone().unwrap_or_else(|| if k == 0 { first.clone() } else { last.clone() });
         Some(match path.timing() {
             Timing::Departing => rebuilt(path, Timing::Arriving, |k| (k > 0).then(|| own(k))),
             Timing::Arriving => rebuilt(path, Timing::Departing, |k| (k + 1 < count).then(|| own(k))),
