@@ -8,6 +8,9 @@ use crate::protocol::Number;
 use crate::scalar::Rational;
 use crate::trace::{Quantity, Values};
 
+/// More bits than a double has.
+const HOLDS: f64 = 60.0;
+
 /// An answer beside the truth.
 pub(super) struct Comparison<'a> {
     pub(super) reference: &'a Reference,
@@ -76,6 +79,12 @@ impl<'a> Place<'a> {
         };
         let theirs = theirs.get(&quantity).filter(|theirs| theirs.shape() == exact.shape()).and_then(finite);
         Some(Self { quantity, exact, theirs, right, scale, units })
+    }
+
+    /// Whether a covariance has a variance that is nothing beside the exact one: less than a double of its size can hold.
+    pub(super) fn vanishes(&self, claimed: &Matrix<Rational>) -> bool {
+        let nothing = |i: usize| magnitude(&claimed[(i, i)]) < magnitude(&self.exact[(i, i)]) - HOLDS;
+        self.quantity.is_covariance() && (0..self.exact.rows()).any(nothing)
     }
 
     /// The digits of one matrix against another in the units of the truth: those of [`digits`](crate::judge::digits) up to

@@ -20,8 +20,13 @@
 //! right, be two digits nearer to it than the truth, at every quantity of every step at which it shows.
 //!
 //! Digits against W are counted in units of W itself in (1), so that what is very small is not met by zero, and in
-//! units of T in (2) and (3), like all others. Rounding, to few digits or to single precision, is done by the last
-//! line of a program: what is printed is known to 15 digits whatever the case makes attainable.
+//! units of T in (2) and (3), like all others.
+//!
+//! Zero is no evidence: a variance that a mistake makes zero is met by whatever cancels. So a mistake does not show in
+//! covariances with a variance of W that is nothing beside that of T; (1) is asked of them all the same.
+//!
+//! Rounding to few digits is done by the last line of a program: what it prints is known to 15 digits whatever the case
+//! makes attainable, so W shows by 4 fewer than that, and (1) asks for 13.
 
 use std::ops::ControlFlow;
 
@@ -90,7 +95,8 @@ impl Meeting<'_> {
             return;
         }
         let apart = place.digits(claimed, place.exact);
-        let shows = apart < place.right && apart <= self.precision.unwrap_or(place.right) - WRONG_BELOW;
+        let least = self.precision.unwrap_or(place.right) - WRONG_BELOW;
+        let shows = apart < place.right && apart <= least && !place.vanishes(claimed);
         self.shows |= shows;
         if !self.met {
             return;
@@ -101,7 +107,9 @@ impl Meeting<'_> {
         };
         let own = own_scale(place.quantity, wrong, &place.scale);
         let digits = digits::digits(place.quantity, theirs, claimed, &own).digits.value();
-        self.met = digits >= place.right.min(FAIR_FROM);
+        // What is printed with few digits is those digits, everywhere.
+        let enough = self.precision.map_or(place.right.min(FAIR_FROM), |printed| printed - ALLOWED_LOSS);
+        self.met = digits >= enough;
         if self.met && shows {
             let closer = place.digits(theirs, claimed) - apart;
             self.met = closer >= ALLOWED_LOSS;

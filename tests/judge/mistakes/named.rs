@@ -74,5 +74,13 @@ fn failure(name: &str, way: f64, label: &str) -> Option<String> {
         let is_meant = first.mistake.name == name && (label.is_empty() || first.ways.contains(&label));
         is_meant && first.explains.iter().all(|&place| judgements[place].verdict != Verdict::Agrees)
     });
-    (!named).then(|| format!("{name} {label}: {}", said.join("; ")))
+    let alone =
+        || judgements.iter().zip(super::subject::TRUTHS.iter()).filter(|(judgement, _)| judgement.verdict.is_finding());
+    let alone = || {
+        alone().map(|(judgement, (case, _))| {
+            let names = exact_kalman::judge::Diagnosis::of([judgement]).explanations;
+            format!("  {} {}: {:?}", case.id, judgement.verdict, names.first().map(|one| one.mistake.name))
+        })
+    };
+    (!named).then(|| format!("{name} {label}: {}\n{}", said.join("; "), alone().collect::<Vec<_>>().join("\n")))
 }

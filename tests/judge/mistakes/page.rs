@@ -22,7 +22,7 @@ fn names_are_unique_and_texts_are_sentences() {
         assert!(one.name.split('-').all(|word| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase())));
         assert!(one.sentence.starts_with("you ") && !one.sentence.ends_with('.'), "{}", one.sentence);
         for text in [one.cause, one.effect, one.remedy] {
-            assert!(text.ends_with('.') && text.len() > 20, "{text}");
+            assert!(text.ends_with('.') && text.len() > 10, "{text}");
         }
         assert_eq!(mistake(one.name), Some(one));
     }

@@ -49,13 +49,13 @@ fn two_mistakes_in_different_cases_are_both_named() {
     let has = |case: &Case, flag: &str| case.flags.iter().any(|own| own == flag);
     let answers = |case: &Case| match () {
         () if has(case, "missing") => steps(&Filter { habit: "missing-as-zero", way: 0.0 }, case),
-        () if has(case, "time-varying") => steps(&Filter { habit: "transition-frozen", way: 0.0 }, case),
+        () if has(case, "correlated") => steps(&Filter { habit: "cross-covariance-dropped", way: 0.0 }, case),
         () => right_steps(case),
     };
     let (judgements, diagnosis) = diagnosis(answers);
     let mut found = names(&diagnosis);
     found.sort_unstable();
-    assert_eq!(found, ["missing-as-zero", "transition-frozen"]);
+    assert_eq!(found, ["cross-covariance-dropped", "missing-as-zero"]);
     for (place, judgement) in judgements.iter().enumerate() {
         let explained = diagnosis.explanations_of(place).count();
         assert!(explained <= 1 && (explained == 0 || judgement.verdict.is_finding()));
