@@ -8,6 +8,7 @@ mod declared;
 mod effort;
 mod estimate;
 mod exit;
+mod explain;
 mod identify;
 mod input;
 mod interrupt;
@@ -62,6 +63,7 @@ enum Verb {
     Check(check::Check),
     Judge(judge::JudgeAnswers),
     Cases(cases::ListCases),
+    Explain(explain::Explain),
     Spec(spec::Spec),
     Identify(identify::Identify),
     Stability(stability::Stability),
@@ -94,6 +96,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Check(verb) => verb.run(),
         Verb::Judge(verb) => verb.run(),
         Verb::Cases(verb) => verb.run(),
+        Verb::Explain(verb) => verb.run(),
         Verb::Spec(verb) => verb.run(),
         Verb::Identify(verb) => verb.run(),
         Verb::Stability(verb) => verb.run(),

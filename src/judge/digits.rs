@@ -102,7 +102,7 @@ impl std::fmt::Display for Digits {
 }
 
 /// The binary logarithm of the magnitude of an integer, good to a double's precision on every machine.
-fn log2(value: &BigInt) -> f64 {
+pub(super) fn log2(value: &BigInt) -> f64 {
     let bits = value.bits();
     let dropped = bits.saturating_sub(64);
     let leading = (value.magnitude() >> dropped).iter_u64_digits().next().unwrap_or(0);

@@ -1,6 +1,7 @@
 //! Holds a reply against the truth.
 
 use super::invariants::{asymmetry, indefiniteness};
+use super::mistakes::{Outcome as Stand, outcomes};
 use super::{Asymmetry, Digits, EntryDigits, Indefiniteness, Reference, Scale, Truth, Verdict, digits};
 use crate::matrix::Matrix;
 use crate::protocol::{Answer, Expect, Number, Outcome, Reply};
@@ -46,6 +47,8 @@ pub struct Judgement {
     pub asymmetric: Option<(Quantity, usize, Asymmetry)>,
     /// What there is to say in words: why, and where.
     pub remarks: Vec<String>,
+    /// How each known mistake stands to the answer.
+    pub(super) mistakes: Vec<Stand>,
 }
 
 impl Judgement {
@@ -54,7 +57,15 @@ impl Judgement {
     }
 
     fn empty(verdict: Verdict) -> Self {
-        Self { verdict, structural: false, scores: Vec::new(), indefinite: None, asymmetric: None, remarks: Vec::new() }
+        Self {
+            verdict,
+            structural: false,
+            scores: Vec::new(),
+            indefinite: None,
+            asymmetric: None,
+            remarks: Vec::new(),
+            mistakes: Vec::new(),
+        }
     }
 
     /// The judgement on a case to which there is no answer that can be read.
@@ -188,6 +199,9 @@ fn of_problem(answer: &Answer, reference: &Reference) -> Judgement {
     if answer.outcome == Outcome::Answered && judgement.scores.is_empty() && judgement.verdict == Verdict::Agrees {
         judgement
             .note(Verdict::Wrong, "nothing that is judged was answered: give filtered_mean and filtered_covariance");
+    }
+    if !judgement.scores.is_empty() {
+        judgement.mistakes = outcomes(&answer.steps, reference, judgement.verdict == Verdict::Agrees);
     }
     judgement
 }

@@ -16,12 +16,14 @@
 //! answers are what is written above.
 
 mod data_kind;
+mod diagnosis;
 mod digits;
 mod examinee;
 mod invariants;
 mod judgement;
 mod likelihood;
 mod limits;
+mod mistakes;
 mod perturb;
 mod reference;
 mod scale;
@@ -31,10 +33,12 @@ mod truth;
 mod verdict;
 
 pub use data_kind::DataKind;
+pub use diagnosis::{Diagnosis, Explanation};
 pub use digits::{Digits, EntryDigits};
 pub use examinee::Examinee;
 pub use invariants::{Asymmetry, Indefiniteness};
 pub use judgement::{Judgement, Score};
+pub use mistakes::{Kind, Mistake, mistake, mistakes, mistakes_page};
 pub use reference::Reference;
 pub use scale::Scale;
 pub use sensitivity::Sensitivity;

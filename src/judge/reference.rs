@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::data_kind::{DataKind, Moved};
 use super::likelihood::LogLikelihood;
 use super::limits::maximal_bits;
+use super::mistakes::Shown;
 use super::perturb::Perturbation;
 use super::scale::Largest;
 use super::{Digits, Scale, digits};
@@ -47,6 +48,10 @@ pub struct Reference {
     /// Whether moving the data may destroy what the case is about: an innovation covariance is singular, or a diffuse
     /// start would be resolved at another step. Then only perturbations count that do not, and at most 15 digits.
     pub structural: bool,
+    /// The problem.
+    pub path: Path<Rational>,
+    /// Which known mistakes show in answers of one kind; written when it is first asked.
+    pub(super) shown: Shown,
     largest: Largest,
 }
 
@@ -100,8 +105,17 @@ impl Reference {
         let seen = observed.iter().map(Vec::as_slice).zip(&values);
         let largest = Largest::of(&path.initial().covariance, path.sensors(), seen);
         let structural = contradiction.is_some() || singular;
-        let mut reference =
-            Self { values, observed, contradiction, attainable: Vec::new(), ranks, structural, largest };
+        let mut reference = Self {
+            values,
+            observed,
+            contradiction,
+            attainable: Vec::new(),
+            ranks,
+            structural,
+            path: path.clone(),
+            shown: Shown::default(),
+            largest,
+        };
         reference.attainable = reference.attained(path, moved_bits(numbers));
         Ok(reference)
     }

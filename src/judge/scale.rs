@@ -20,6 +20,11 @@ impl Scale {
         Matrix::diagonal(&self.0)
     }
 
+    /// The scale with other variances, each made of its place and what it was.
+    pub(super) fn with(&self, variance: impl Fn(usize, &Rational) -> Rational) -> Self {
+        Self(self.0.iter().enumerate().map(|(i, old)| variance(i, old)).collect())
+    }
+
     fn of(covariance: &Matrix<Rational>, components: &[usize], largest: &[Rational]) -> Self {
         let zero = Rational::zero();
         let variance = |(place, &component): (usize, &usize)| {

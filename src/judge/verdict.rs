@@ -6,11 +6,11 @@ use super::Digits;
 use crate::scalar::{Rational, exact_value};
 
 /// Losing up to this many digits against the attainable ones is agreement.
-const ALLOWED_LOSS: f64 = 2.0;
+pub(super) const ALLOWED_LOSS: f64 = 2.0;
 /// Fewer digits than this are wrong …
-const WRONG_BELOW: f64 = 4.0;
+pub(super) const WRONG_BELOW: f64 = 4.0;
 /// … where at least this many are attainable.
-const FAIR_FROM: f64 = 6.0;
+pub(super) const FAIR_FROM: f64 = 6.0;
 
 /// What a judgement comes to, from best to worst.
 ///

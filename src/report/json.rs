@@ -2,12 +2,12 @@
 
 use serde_json::{Value, json as object};
 
-use super::{Report, entry};
+use super::{Report, diagnosis, entry};
 use crate::judge::{Judgement, Score};
 use crate::protocol::Case;
 
 /// One object per examinee: what it declared, counts by verdict, how many cases are left unjudged and whether the first finding is
-/// the reason, and for each case the verdict, its reasons and the digits.
+/// the reason, which known mistakes explain the findings, and for each case the verdict, its reasons and the digits.
 pub fn json(report: &Report) -> Value {
     let counts: serde_json::Map<String, Value> =
         report.counts().into_iter().map(|(verdict, count)| (verdict.to_owned(), count.into())).collect();
@@ -19,6 +19,7 @@ pub fn json(report: &Report) -> Value {
         "remarks": report.remarks,
         "unjudged": report.unjudged,
         "at_first_finding": report.at_first_finding,
+        "diagnosis": diagnosis::json(report, &report.diagnosis()),
         "cases": report.results.iter().map(|(case, judgement)| result(case, judgement)).collect::<Vec<_>>(),
     })
 }

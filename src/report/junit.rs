@@ -5,14 +5,17 @@ use std::io;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
 
-use super::Report;
 use super::declared::{short, unsupported};
 use super::text::{finding, incomplete, printable};
-use crate::judge::{Judgement, Verdict};
+use super::{Report, diagnosis};
+use crate::judge::{Diagnosis, Judgement, Verdict};
 use crate::protocol::Case;
 
 type Xml = Writer<Vec<u8>>;
 type Result = (Case, Judgement);
+
+/// A result with its place in the report.
+type Placed<'r> = (usize, &'r Result);
 
 /// One document on all reports: a suite for each category of each examinee, a test for each case.
 ///
@@ -25,16 +28,17 @@ type Result = (Case, Judgement);
 pub fn junit(reports: &[Report]) -> io::Result<String> {
     let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
     xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-    let all: Vec<&Result> = reports.iter().flat_map(|report| &report.results).collect();
+    let all: Vec<Placed> = reports.iter().flat_map(|report| report.results.iter().enumerate()).collect();
     let element = xml.create_element("testsuites").with_attribute(("name", "exact-kalman"));
     let element = element.with_attributes(counts(&all).iter().map(|(name, count)| (*name, count.as_str())));
     element.write_inner_content(|xml| {
         for report in reports {
+            let looks = report.diagnosis();
             let several = reports.len() > 1;
             for (place, (category, results)) in categories(report).into_iter().enumerate() {
                 let name = if several { format!("{} · {category}", report.examinee) } else { category };
                 // What is said of the whole run is said once.
-                suite(xml, &name, &results, report, place == 0)?;
+                suite(xml, &name, &results, (report, &looks), place == 0)?;
             }
         }
         Ok(())
@@ -45,10 +49,10 @@ pub fn junit(reports: &[Report]) -> io::Result<String> {
 }
 
 /// The cases by what their ids begin with, in the order in which the categories come first.
-fn categories(report: &Report) -> Vec<(String, Vec<&Result>)> {
-    let mut categories: Vec<(String, Vec<&Result>)> = Vec::new();
-    for result in &report.results {
-        let name = result.0.id.split_once('/').map_or("cases", |(category, _)| category);
+fn categories(report: &Report) -> Vec<(String, Vec<Placed<'_>>)> {
+    let mut categories: Vec<(String, Vec<Placed>)> = Vec::new();
+    for result in report.results.iter().enumerate() {
+        let name = result.1.0.id.split_once('/').map_or("cases", |(category, _)| category);
         match categories.iter_mut().find(|(known, _)| known == name) {
             Some((_, results)) => results.push(result),
             None => categories.push((name.to_owned(), vec![result])),
@@ -60,9 +64,9 @@ fn categories(report: &Report) -> Vec<(String, Vec<&Result>)> {
     categories
 }
 
-fn counts(results: &[&Result]) -> Vec<(&'static str, String)> {
-    let failures = results.iter().filter(|(_, judgement)| judgement.verdict.is_finding()).count();
-    let skipped = results.iter().filter(|(_, judgement)| is_skipped(judgement)).count();
+fn counts(results: &[Placed]) -> Vec<(&'static str, String)> {
+    let failures = results.iter().filter(|(_, (_, judgement))| judgement.verdict.is_finding()).count();
+    let skipped = results.iter().filter(|(_, (_, judgement))| is_skipped(judgement)).count();
     [("tests", results.len()), ("failures", failures), ("errors", 0), ("skipped", skipped), ("time", 0)]
         .map(|(name, count)| (name, count.to_string()))
         .to_vec()
@@ -72,7 +76,13 @@ fn is_skipped(judgement: &Judgement) -> bool {
     !judgement.verdict.is_finding() && judgement.verdict != Verdict::Agrees
 }
 
-fn suite(xml: &mut Xml, name: &str, results: &[&Result], report: &Report, first: bool) -> io::Result<()> {
+fn suite(
+    xml: &mut Xml,
+    name: &str,
+    results: &[Placed],
+    (report, looks): (&Report, &Diagnosis),
+    first: bool,
+) -> io::Result<()> {
     let element = xml.create_element("testsuite").with_attribute(("name", printable(name).as_str()));
     let element = element.with_attributes(counts(results).iter().map(|(name, count)| (*name, count.as_str())));
     let name = report.declaration.as_ref().and_then(|declaration| declaration.name.as_deref());
@@ -88,9 +98,9 @@ fn suite(xml: &mut Xml, name: &str, results: &[&Result], report: &Report, first:
             }
             Ok(())
         })?;
-        results.iter().try_for_each(|result| test(xml, result))?;
+        results.iter().try_for_each(|result| test(xml, result, looks))?;
         let notes: Vec<String> = report.remarks.iter().map(|remark| format!("note: {}\n", printable(remark))).collect();
-        let said = notes.concat() + &incomplete(report);
+        let said = notes.concat() + &incomplete(report) + &diagnosis::section(looks);
         if first && !said.is_empty() {
             xml.create_element("system-out").write_text_content(BytesText::new(&said))?;
         }
@@ -99,7 +109,7 @@ fn suite(xml: &mut Xml, name: &str, results: &[&Result], report: &Report, first:
     Ok(())
 }
 
-fn test(xml: &mut Xml, (case, judgement): &Result) -> io::Result<()> {
+fn test(xml: &mut Xml, (place, (case, judgement)): &Placed, looks: &Diagnosis) -> io::Result<()> {
     let id = printable(&case.id);
     let class = id.split_once('/').map_or("cases", |(category, _)| category).to_owned();
     let element = xml.create_element("testcase").with_attribute(("classname", class.as_str()));
@@ -117,7 +127,7 @@ fn test(xml: &mut Xml, (case, judgement): &Result) -> io::Result<()> {
                 .write_empty()?;
             return Ok(());
         }
-        let said = finding(case, judgement);
+        let said = finding(case, judgement, *place, looks);
         let element = xml.create_element("failure").with_attribute(("type", judgement.verdict.name()));
         element.with_attribute(("message", verdict.as_str())).write_text_content(BytesText::new(&said))?;
         Ok(())

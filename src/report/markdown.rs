@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::Report;
 use super::declared::{short, unsupported};
 use super::text::{ATTAINABLE, SHOWN, counted, finding, incomplete, printable};
-use crate::judge::{Judgement, Score, Verdict};
+use super::{Report, diagnosis};
+use crate::judge::{Diagnosis, Judgement, Score, Verdict};
 use crate::protocol::Case;
 use crate::trace::Quantity;
 
@@ -20,7 +20,7 @@ pub fn markdown(reports: &[Report], all: bool) -> String {
 }
 
 fn section(report: &Report, all: bool) -> String {
-    let findings = report.findings();
+    let (findings, looks) = (report.placed_findings(), report.diagnosis());
     let cases = counted(report.results.len(), "case");
     let heading = match findings.len() {
         0 => format!("no finding in {cases}"),
@@ -44,17 +44,18 @@ fn section(report: &Report, all: bool) -> String {
         let _ = write!(out, "\n**{}**\n", left.trim_end());
     }
     if !findings.is_empty() {
-        out += &found(&findings, if all { findings.len() } else { SHOWN });
+        out += &found(&findings, if all { findings.len() } else { SHOWN }, &looks);
+        out += &looks_like(&looks);
     }
     out += &every_case(report);
     out
 }
 
 /// The findings, worst first.
-fn found(findings: &[&(Case, Judgement)], most: usize) -> String {
+fn found(findings: &[(usize, &(Case, Judgement))], most: usize, looks: &Diagnosis) -> String {
     let mut out = "\n| | finding | verdict | what | digits | attainable |\n|---:|---|---|---|---:|---:|\n".to_owned();
     let shown = || findings.iter().take(most).enumerate().map(|(place, result)| (place + 1, result));
-    for (place, (case, judgement)) in shown() {
+    for (place, (_, (case, judgement))) in shown() {
         let behind = |score: &&Score| score.verdict != Verdict::Agrees;
         let missing = |score: &Score| score.attainable.value() - score.worst.digits.value();
         let worst = judgement.scores.iter().filter(behind).max_by(|one, other| missing(one).total_cmp(&missing(other)));
@@ -70,17 +71,25 @@ fn found(findings: &[&(Case, Judgement)], most: usize) -> String {
         let _ = writeln!(out, "\n… and {}; `--all` shows them", counted(findings.len() - most, "more finding"));
     }
     out += "\n<details><summary>The findings in words</summary>\n";
-    for (place, (case, judgement)) in shown() {
-        let words: String = finding(case, judgement).lines().map(|line| wrapped(line.trim_start())).collect();
+    for (number, (place, (case, judgement))) in shown() {
+        let words: String =
+            finding(case, judgement, *place, looks).lines().map(|line| wrapped(line.trim_start())).collect();
         let fence = fence(&words);
         let _ = write!(
             out,
-            "\n**{place}.** {}: **{}**\n\n{fence}text\n{words}{fence}\n",
+            "\n**{number}.** {}: **{}**\n\n{fence}text\n{words}{fence}\n",
             code(&case.id),
             judgement.verdict
         );
     }
     out + "\n</details>\n"
+}
+
+/// Which known mistakes explain the findings.
+fn looks_like(looks: &Diagnosis) -> String {
+    let section = diagnosis::section(looks);
+    let words: String = section.lines().skip(2).map(|line| wrapped(line.trim_start())).collect();
+    if words.is_empty() { words } else { format!("\n**What it looks like**\n\n```text\n{words}```\n") }
 }
 
 /// The table of all cases.

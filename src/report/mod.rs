@@ -6,6 +6,7 @@
 
 mod comparison;
 mod declared;
+mod diagnosis;
 mod entry;
 mod json;
 mod junit;
@@ -20,11 +21,11 @@ pub use comparison::side_by_side;
 pub use json::json;
 pub use junit::junit;
 pub use markdown::markdown;
-pub use reference::reference;
 pub(crate) use printable::printable;
+pub use reference::reference;
 pub use text::text;
 
-use crate::judge::{Judgement, Verdict};
+use crate::judge::{Diagnosis, Judgement, Verdict};
 use crate::protocol::{Case, Declaration};
 
 /// The judgements on one examinee, in the order of the cases.
@@ -73,12 +74,22 @@ impl Report {
 
     /// The results that are findings: the worst verdict first, and of one verdict the one that misses most digits.
     pub fn findings(&self) -> Vec<&(Case, Judgement)> {
-        let mut findings: Vec<_> =
-            self.results.iter().filter(|(_, judgement)| judgement.verdict.is_finding()).collect();
-        findings.sort_by(|(_, one), (_, other)| {
+        self.placed_findings().into_iter().map(|(_, finding)| finding).collect()
+    }
+
+    /// The same, each with its place among the results.
+    pub(crate) fn placed_findings(&self) -> Vec<(usize, &(Case, Judgement))> {
+        let results = self.results.iter().enumerate();
+        let mut findings: Vec<_> = results.filter(|(_, (_, judgement))| judgement.verdict.is_finding()).collect();
+        findings.sort_by(|(_, (_, one)), (_, (_, other))| {
             other.verdict.cmp(&one.verdict).then(other.shortfall().total_cmp(&one.shortfall()))
         });
         findings
+    }
+
+    /// Which known mistakes explain the findings.
+    pub fn diagnosis(&self) -> Diagnosis {
+        Diagnosis::of(self.results.iter().map(|(_, judgement)| judgement))
     }
 
     /// Whether the examinee says of every case that it does not know such models.

@@ -6,8 +6,8 @@ use comfy_table::{CellAlignment, ContentArrangement, Table, presets};
 
 use super::declared::declared;
 pub(super) use super::printable::printable;
-use super::{Report, entry};
-use crate::judge::{Judgement, Score, Verdict, meaning};
+use super::{Report, diagnosis, entry};
+use crate::judge::{Diagnosis, Judgement, Score, Verdict, meaning};
 use crate::protocol::{Case, Decimal, short_witness};
 use crate::trace::Quantity;
 
@@ -24,24 +24,27 @@ innovation covariance is singular, at most 15. Negative digits: wrong by so many
 /// How many lines of a message that came from outside are shown: the last ones, where programs say what went wrong.
 const MESSAGE_LINES: usize = 12;
 
-/// The report on one examinee: a line per case, then the findings, worst first, then the count.
+/// The report on one examinee: a line per case, then the findings, worst first, then which known
+/// mistakes explain them, then the count.
 pub fn text(report: &Report, all: bool) -> String {
     let mut out = format!("{}\n{}\n{}\n\n", printable(&report.examinee), declared(report), table(report));
     if report.results.iter().any(|(_, judgement)| !judgement.scores.is_empty()) {
         out += ATTAINABLE;
     }
-    let findings = report.findings();
+    let (findings, looks) = (report.placed_findings(), report.diagnosis());
     let shown = if all { findings.len() } else { findings.len().min(SHOWN) };
     if !findings.is_empty() {
         let _ = writeln!(out, "\n{}, worst first", counted(findings.len(), "finding"));
     }
-    for (place, (case, judgement)) in findings.iter().take(shown).enumerate() {
+    for (number, &(place, (case, judgement))) in findings.iter().take(shown).enumerate() {
         let id = printable(&case.id);
-        let _ = write!(out, "\n{}. {id}: {}\n{}", place + 1, judgement.verdict, finding(case, judgement));
+        let _ =
+            write!(out, "\n{}. {id}: {}\n{}", number + 1, judgement.verdict, finding(case, judgement, place, &looks));
     }
     if shown < findings.len() {
         let _ = writeln!(out, "\n… and {}; --all shows them", counted(findings.len() - shown, "more finding"));
     }
+    out += &diagnosis::section(&looks);
     out.push('\n');
     for remark in &report.remarks {
         let _ = writeln!(out, "note: {}", printable(remark));
@@ -110,7 +113,7 @@ fn table(report: &Report) -> String {
 }
 
 /// What there is to say about one finding.
-pub(super) fn finding(case: &Case, judgement: &Judgement) -> String {
+pub(super) fn finding(case: &Case, judgement: &Judgement, place: usize, looks: &Diagnosis) -> String {
     let mut out = String::new();
     let mut line = |text: String| {
         let _ = writeln!(out, "   {text}");
@@ -118,6 +121,7 @@ pub(super) fn finding(case: &Case, judgement: &Judgement) -> String {
     if !case.about.is_empty() {
         line(printable(&case.about));
     }
+    looks.explanations_of(place).map(diagnosis::line).for_each(&mut line);
     for remark in &judgement.remarks {
         last_lines(remark).into_iter().for_each(&mut line);
     }

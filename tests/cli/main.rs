@@ -5,6 +5,7 @@ mod cases;
 mod check;
 mod declared;
 mod estimate;
+mod explain;
 mod formats;
 mod help;
 mod identify;

@@ -10,6 +10,7 @@ mod exact_solver;
 mod forms;
 mod known;
 mod likelihood;
+mod mistakes;
 mod references;
 mod samples;
 mod suite;
