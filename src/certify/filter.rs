@@ -1,6 +1,7 @@
 //! The filter whose results are enclosed.
 
 use super::enclosed::Enclosed;
+use super::grid::BOUND_BITS;
 use super::innovation::Innovation;
 use super::law::{Law, have_one_law};
 use super::{Undecided, target};
@@ -15,6 +16,8 @@ use crate::trace::{Quantity, Values};
 pub struct CertifiedStep {
     /// The named values, all but the gain.
     pub values: Values<Interval>,
+    /// The rank of the innovation covariance, exactly.
+    pub innovation_rank: usize,
 }
 
 impl CertifiedStep {
@@ -28,8 +31,7 @@ impl CertifiedStep {
         };
         let values: Values<Rational> =
             self.values.iter().map(|(&quantity, entries)| (quantity, entries.map(middle))).collect();
-        let innovation_rank = values.get(&Quantity::InnovationCovariance).map_or(0, Matrix::rows);
-        StepValues { values, innovation_rank }
+        StepValues { values, innovation_rank: self.innovation_rank }
     }
 }
 
@@ -104,7 +106,7 @@ impl<'a> CertifiedFilter<'a> {
             _ => Law::of(step, timing, arrives),
         };
         let law = &self.law.insert((step, arrives, law)).2;
-        let (data, bits) = (law.data(step, arrives), self.bits);
+        let (data, bits) = (law.data(step, arrives)?, self.bits);
         let mut values = Values::new();
         let mut insert = |mean, covariance, belief: &Enclosed| {
             values.insert(mean, belief.mean_intervals(bits));
@@ -119,6 +121,7 @@ impl<'a> CertifiedFilter<'a> {
             let targets = (updated(&law.filtered), law.ahead.as_ref().map(updated));
             let value = innovation.value_intervals(belief, law, &data, bits);
             let covariance = innovation.covariance_intervals(belief, law, bits);
+            let (value, covariance) = law.readings.all(value, covariance, bits + BOUND_BITS);
             insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
             values.insert(Quantity::Innovation, value);
             values.insert(Quantity::InnovationCovariance, covariance);
@@ -127,9 +130,16 @@ impl<'a> CertifiedFilter<'a> {
             let moved = |target| target::moved(belief, law, &data, target, bits);
             let targets = (moved(&law.filtered), law.ahead.as_ref().map(moved));
             insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
+            if !step.reading.present().is_empty() {
+                // Zeros without noise are read.
+                let none = |columns| Matrix::from_fn(0, columns, |_, _| Interval::zero());
+                let (value, covariance) = law.readings.all(none(1), none(0), bits);
+                values.insert(Quantity::Innovation, value);
+                values.insert(Quantity::InnovationCovariance, covariance);
+            }
             targets
         };
-        Ok((CertifiedStep { values }, ahead.unwrap_or(filtered)))
+        Ok((CertifiedStep { values, innovation_rank: law.readings.kept.len() }, ahead.unwrap_or(filtered)))
     }
 }
 
@@ -164,8 +174,8 @@ mod tests {
     use rand_core::{Rng, SeedableRng};
     use rand_pcg::Pcg64Mcg;
 
-    use super::super::dyadics::Dyadics;
     use super::*;
+    use crate::certify::dyadics::Dyadics;
     use crate::filter::filter;
     use crate::model::{Initial, Noise, Observation, System};
     use crate::scalar::ratio;

@@ -4,7 +4,9 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
 
+use super::Undecided;
 use super::dyadics::{Dyadics, odd_denominator};
+use super::readings::Readings;
 use crate::matrix::Matrix;
 use crate::model::{Step, Timing, Transition};
 use crate::scalar::Rational;
@@ -36,6 +38,8 @@ pub(super) struct Law {
     pub(super) odd: BigInt,
     pub(super) lift: BigInt,
     pub(super) noise_odd: BigInt,
+    /// Which of the entries of a reading are used, and what the others are.
+    pub(super) readings: Readings,
     /// H, over e; no rows where nothing is read.
     pub(super) observation: Dyadics,
     /// R, over w.
@@ -72,11 +76,12 @@ pub(super) struct Data {
 impl Law {
     /// The law of a step; `arrives` if its transition leads to the state that is read and is still to be made.
     pub(super) fn of(step: &Step<Rational>, timing: Timing, arrives: bool) -> Self {
-        let observed = step.reading.present();
-        let c = step.observation.select_rows(&observed);
-        let r = step.observation_noise.select(&observed, &observed);
+        let readings = Readings::of(step);
+        let observed = &readings.kept;
+        let c = step.observation.select_rows(observed);
+        let r = step.observation_noise.select(observed, observed);
         let (n, m) = (c.columns(), observed.len());
-        let shared = |transition: &Transition<Rational>| transition.cross_noise.select_columns(&observed);
+        let shared = |transition: &Transition<Rational>| transition.cross_noise.select_columns(observed);
         let stays =
             |cross: Matrix<Rational>| Exact { map: None, noise: Matrix::zeros(n, n), cross, input: Input::None };
         let moves = |transition: &Transition<Rational>, cross: Matrix<Rational>| Exact {
@@ -85,7 +90,7 @@ impl Law {
             cross,
             input: Input::Transition,
         };
-        match (&step.transition, timing) {
+        let law = match (&step.transition, timing) {
             (Some(transition), Timing::Arriving) if arrives => {
                 let (q, s) = (&transition.noise, shared(transition));
                 let cross = q * c.transpose() + &s;
@@ -108,7 +113,8 @@ impl Law {
                 let noise = r + &mixed + mixed.transpose();
                 Self::over(&c, &noise, None, stays(cross), None)
             }
-        }
+        };
+        Self { readings, ..law }
     }
 
     fn over(
@@ -137,27 +143,31 @@ impl Law {
             filtered: target(&filtered),
             ahead: ahead.as_ref().map(target),
             lift: &noise_odd / square,
+            readings: Readings::default(),
             odd,
             noise_odd,
         }
     }
 
     /// The reading and the inputs of a step with this law.
-    pub(super) fn data(&self, step: &Step<Rational>, arrives: bool) -> Data {
-        let observed = step.reading.present();
-        let mut seen = step.reading.values() - step.observation_input.select_rows(&observed);
+    ///
+    /// # Errors
+    ///
+    /// [`Undecided`] if the entries of the reading contradict each other: whose business it is to say so is another's.
+    pub(super) fn data(&self, step: &Step<Rational>, arrives: bool) -> Result<Data, Undecided> {
+        let mut seen = self.readings.seen(step)?;
         let input = step.transition.as_ref().map(|transition| &transition.input);
         if let Some(input) = input.filter(|_| arrives) {
-            seen = seen - step.observation.select_rows(&observed) * input;
+            seen = seen - step.observation.select_rows(&self.readings.kept) * input;
         }
         let entries = seen.entries().iter().chain(input.into_iter().flat_map(Matrix::entries));
         let odd = odd_denominator(self.odd.clone(), entries);
-        Data {
+        Ok(Data {
             seen: Dyadics::of(&seen, &odd),
             input: input.map(|input| Dyadics::of(input, &odd)),
             lift: odd.div_floor(&self.odd),
             odd,
-        }
+        })
     }
 }
 

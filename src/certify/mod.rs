@@ -11,6 +11,7 @@ mod filter;
 mod grid;
 mod innovation;
 mod law;
+mod readings;
 mod target;
 mod tiers;
 mod whitening;

@@ -38,7 +38,7 @@ impl Default for Tiers {
 pub enum TieredStep {
     /// The exact results.
     Exact(RationalStep),
-    /// Enclosures of them. The innovation covariance is regular.
+    /// Enclosures of them, with the exact rank of the innovation covariance.
     Certified(CertifiedStep),
 }
 

@@ -1,7 +1,8 @@
 //! What is too much for the judge, so that no case takes much more than a minute.
 //!
-//! Three things make exact work long: numbers so long that one step takes long, many steps with long numbers, and many
-//! steps at all. Each has one limit. All were chosen by measurement, on two cores; on one, all takes up to twice as long.
+//! Three things make work long: exact numbers so long that one step takes long, many steps with long numbers, and many steps at
+//! all. Each has one limit; the first two matter where only exact numbers decide, since enclosures follow them elsewhere. All
+//! were chosen by measurement, on two cores; on one, all takes up to twice as long.
 
 use num_integer::Roots;
 
@@ -24,11 +25,16 @@ const MAXIMAL_BITS: u64 = 1 << 19;
 /// primes.
 const MAXIMAL_WORK: u64 = 1 << 40;
 
-/// The most operations on entries, taken as steps times the third power of states plus sensors, that are begun at all.
+/// The most operations on entries, taken as steps times the third power of states plus sensors and some more, that are begun at
+/// all.
 ///
-/// It is the perturbed problems that this bounds: with full doubles twenty of them take 90 to 160 µs for each operation,
-/// so 25 to 40 s at this limit; at worst, where the transition departs and n = 8, m = 4, twice as long.
-const MAXIMAL_OPERATIONS: u64 = 1 << 18;
+/// It is the perturbed problems that this bounds: with full doubles the truth and twenty of them take some 60 µs for each
+/// operation on one core: a minute at this limit, which is some 26,000 steps of a scalar state, 4000 of n = 4, m = 2, and 600 of
+/// n = 8, m = 4.
+const MAXIMAL_OPERATIONS: u64 = 1 << 20;
+
+/// What a step costs whatever its size, in operations.
+const OPERATIONS_OF_A_STEP: u64 = 32;
 
 /// The length in bits that exact denominators may reach along a path.
 pub(super) fn maximal_bits(path: &Path<Rational>) -> u64 {
@@ -43,7 +49,8 @@ pub(super) fn maximal_bits(path: &Path<Rational>) -> u64 {
 
 /// Whether there are more operations to do than are begun.
 pub(super) fn is_too_much(path: &Path<Rational>) -> bool {
-    dimensions(path).saturating_pow(3).saturating_mul(steps(path)) > MAXIMAL_OPERATIONS
+    let of_a_step = dimensions(path).saturating_pow(3).saturating_add(OPERATIONS_OF_A_STEP);
+    of_a_step.saturating_mul(steps(path)) > MAXIMAL_OPERATIONS
 }
 
 fn steps(path: &Path<Rational>) -> u64 {

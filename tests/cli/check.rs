@@ -48,7 +48,17 @@ fn json_is_valid_and_stable() {
     let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
     assert_eq!(
         keys(&report),
-        ["at_first_finding", "cases", "counts", "declaration", "examinee", "format", "remarks", "unjudged"]
+        [
+            "at_first_finding",
+            "cases",
+            "counts",
+            "declaration",
+            "diagnosis",
+            "examinee",
+            "format",
+            "remarks",
+            "unjudged"
+        ]
     );
     let bad = &report["cases"][1];
     assert_eq!(keys(bad), ["asymmetric", "flags", "id", "not_psd", "remarks", "scores", "structural", "verdict"]);

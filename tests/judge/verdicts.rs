@@ -191,12 +191,14 @@ fn no_answer() {
 
 #[test]
 fn undecided_where_the_truth_is_too_long() {
-    // Numbers of 4000 digits, 13,000 bits: their products pass any limit within a few steps.
+    // Numbers of 4000 digits, 13,000 bits: their products pass any limit within a few steps. Both states and both sensors are
+    // moved by one source, so the innovation covariance is singular, and no enclosure can decide that.
     let long = format!("0.{}1", "7".repeat(4000));
+    let one_source = [[&long, &long], [&long, &long]];
     let text = json!({"format": "exact-kalman/case/1", "id": "long", "numbers": "exact", "timing": "departing",
-        "initial": {"before": "observation", "mean": ["0"], "covariance": [[long]]},
-        "transition": [[long]], "observation": [[long]],
-        "noise": {"process": [[long]], "observation": [[long]]}, "observations": vec![["1"]; 40]});
+        "initial": {"before": "observation", "mean": ["0", "0"], "covariance": one_source},
+        "transition": [[long, "0"], ["0", long]], "observation": [["1", "0"], ["0", "1"]],
+        "noise": {"process": one_source, "observation": one_source}, "observations": vec![["1", "1"]; 40]});
     let case = Case::parse(&text.to_string()).unwrap();
     let answer = outcome(&case, Outcome::Answered, None);
     let judgement = judge(&case, answer);

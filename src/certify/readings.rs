@@ -1,0 +1,80 @@
+//! Entries of a reading that follow from others.
+//!
+//! If v ≠ 0 has vᵀC = 0 and vᵀR = 0, for the observation matrix and its noise, then vᵀS = 0 for every covariance of the
+//! state: a sensor repeats others, noise included. Such entries are left out; what remains may have a regular S, which an
+//! enclosure can decide, and the others are linear in it.
+
+use super::Undecided;
+use crate::matrix::{Echelon, Matrix};
+use crate::model::Step;
+use crate::scalar::{Interval, Rational, Scalar as _};
+
+/// Which entries are used, and how the others follow from them.
+#[derive(Clone, Debug)]
+pub(super) struct Readings {
+    /// The entries that are used, as indices of sensors.
+    pub(super) kept: Vec<usize>,
+    /// L, with `all observed entries = L · kept ones`; nothing if all are kept.
+    combination: Option<Matrix<Rational>>,
+}
+
+impl Default for Readings {
+    fn default() -> Self {
+        Self { kept: Vec::new(), combination: None }
+    }
+}
+
+impl Readings {
+    pub(super) fn of(step: &Step<Rational>) -> Self {
+        let observed = step.reading.present();
+        let rows = step.observation.select_rows(&observed).beside(&step.observation_noise.select(&observed, &observed));
+        // The columns with a pivot are the rows that do not follow from those before them.
+        let columns = rows.transpose();
+        let Ok(echelon) = Echelon::of(&columns, observed.len()) else {
+            return Self { kept: observed, combination: None };
+        };
+        if echelon.rank() == observed.len() {
+            return Self { kept: observed, combination: None };
+        }
+        let Ok(reduced) = echelon.reduced() else { return Self { kept: observed, combination: None } };
+        let combination = Matrix::from_fn(observed.len(), echelon.rank(), |i, k| reduced[(k, i)].clone());
+        let kept = echelon.pivots().iter().map(|&place| observed[place]).collect();
+        Self { kept, combination: Some(combination) }
+    }
+
+    /// y − c for the entries that are used.
+    ///
+    /// # Errors
+    ///
+    /// [`Undecided`] if the others do not follow from them.
+    pub(super) fn seen(&self, step: &Step<Rational>) -> Result<Matrix<Rational>, Undecided> {
+        let observed = step.reading.present();
+        let all = step.reading.values() - step.observation_input.select_rows(&observed);
+        let Some(combination) = &self.combination else { return Ok(all) };
+        let place = |sensor: &usize| observed.iter().position(|other| other == sensor);
+        let kept = all.select_rows(&self.kept.iter().filter_map(place).collect::<Vec<_>>());
+        if combination * &kept == all { Ok(kept) } else { Err(Undecided) }
+    }
+
+    /// All entries of an innovation and of its covariance, from those of the entries that are used.
+    pub(super) fn all(
+        &self,
+        innovation: Matrix<Interval>,
+        covariance: Matrix<Interval>,
+        bits: u64,
+    ) -> (Matrix<Interval>, Matrix<Interval>) {
+        let Some(combination) = &self.combination else { return (innovation, covariance) };
+        let image = |right: &Matrix<Interval>| {
+            Matrix::from_fn(combination.rows(), right.columns(), |i, j| {
+                let terms = (0..right.rows()).filter(|&k| combination[(i, k)] != Rational::zero());
+                let term = |k: usize| match &combination[(i, k)] {
+                    one if *one == Rational::one() => right[(k, j)].clone(),
+                    other => right[(k, j)].times(&Interval::of(other, bits), bits),
+                };
+                terms.map(term).reduce(|sum, term| sum.plus(&term, bits)).unwrap_or_else(Interval::zero)
+            })
+        };
+        let half = image(&covariance).transpose();
+        (image(&innovation), image(&half))
+    }
+}
