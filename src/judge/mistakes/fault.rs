@@ -36,8 +36,9 @@ pub(super) enum Fault {
     GainOfTheFirstStep,
     /// The predicted covariance is kept from where two of them differ by less, entry by entry.
     CovarianceRests(Real),
-    /// The predicted covariance is kept from where the sum of squares of its change is less.
-    CovarianceRestsBySquares(Real),
+    /// On a system that never changes: once the sum of squares of the change of the predicted covariance is less, from the
+    /// second step on, all covariances of that step are kept but one: that of the prediction made there stands once.
+    AllRest(Real),
     /// An entry of a reading whose innovation has a smaller variance is not used.
     SmallVariancesIgnored(Real),
     /// The next covariance is APA + Q.
@@ -72,7 +73,21 @@ impl Fault {
             | Self::MeanNotMoved
             | Self::CovarianceNotMoved => path.steps().iter().all(rests),
             Self::GainOfTheDiagonal => path.sensors() == 1,
+            Self::AllRest(_) => !is_constant(path),
             _ => false,
         }
     }
+}
+
+/// Whether all steps are alike, and nothing is missing.
+fn is_constant(path: &Path<Rational>) -> bool {
+    let Some(first) = path.steps().first() else { return true };
+    let transition = path.steps().iter().find_map(|step| step.transition.as_ref());
+    path.steps().iter().all(|step| {
+        step.observation == first.observation
+            && step.observation_input == first.observation_input
+            && step.observation_noise == first.observation_noise
+            && step.reading.entries().iter().all(Option::is_some)
+            && (step.transition.is_none() || step.transition.as_ref() == transition)
+    })
 }

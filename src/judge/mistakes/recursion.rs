@@ -27,6 +27,16 @@ pub(super) struct Recursion<'a> {
     first_gain: Option<Matrix<Real>>,
     /// Whether the predicted covariance is kept.
     rests: bool,
+    /// What else is kept.
+    kept: Option<Kept>,
+}
+
+/// What is kept of a step where all rests.
+struct Kept {
+    innovation_covariance: Matrix<Real>,
+    inverse: Matrix<Real>,
+    filtered_covariance: Matrix<Real>,
+    predicted_covariance: Matrix<Real>,
 }
 
 #[derive(Clone)]
@@ -77,6 +87,7 @@ impl<'a> Recursion<'a> {
             before: None,
             first_gain: None,
             rests: false,
+            kept: None,
         })
     }
 
@@ -98,9 +109,15 @@ impl<'a> Recursion<'a> {
     fn by_recursion(&mut self) -> Option<Values<Rational>> {
         let predicted = self.predicted.take()?;
         let step = self.path.steps().get(self.done)?;
-        let seen = self.seen(&predicted, step);
+        let mut seen = self.seen(&predicted, step);
         let inverse = self.ranks.inverse(&seen.innovation_covariance, &seen.observed);
-        let (gain, filtered) = self.updated(&predicted, &seen, &inverse, step);
+        let (mut gain, mut filtered) = self.updated(&predicted, &seen, &inverse, step);
+        if let Some(kept) = &self.kept {
+            gain = &seen.cross * &kept.inverse;
+            filtered =
+                Law { mean: &predicted.mean + &gain * &seen.innovation, covariance: kept.filtered_covariance.clone() };
+            seen.innovation_covariance = kept.innovation_covariance.clone();
+        }
         let mut values = Values::new();
         values.insert(Quantity::PredictedMean, rationals(&predicted.mean));
         values.insert(Quantity::PredictedCovariance, rationals(&predicted.covariance));
@@ -112,7 +129,13 @@ impl<'a> Recursion<'a> {
         }
         self.done += 1;
         let next = self.next_law(&predicted, &filtered, &seen, &gain, &inverse, step);
-        self.predicted = next.map(|next| self.rested(next, &predicted));
+        let rest = || Kept {
+            innovation_covariance: seen.innovation_covariance.clone(),
+            inverse: inverse.matrix().clone(),
+            filtered_covariance: filtered.covariance.clone(),
+            predicted_covariance: predicted.covariance.clone(),
+        };
+        self.predicted = next.map(|next| self.rested(next, &predicted, rest));
         self.before = Some(filtered.mean);
         Some(values)
     }
@@ -222,7 +245,10 @@ impl<'a> Recursion<'a> {
     }
 
     /// The covariance of before, where it is kept.
-    fn rested(&mut self, next: Law, before: &Law) -> Law {
+    fn rested(&mut self, next: Law, before: &Law, rest: impl FnOnce() -> Kept) -> Law {
+        if let Some(kept) = &self.kept {
+            return Law { covariance: kept.predicted_covariance.clone(), ..next };
+        }
         let change = || &next.covariance - &before.covariance;
         let is_less = |value: &Real, bound: &Real| value.minus(bound).value() < Rational::zero();
         self.rests |= match self.fault {
@@ -230,9 +256,12 @@ impl<'a> Recursion<'a> {
                 let bound = tolerance.times(tolerance);
                 change().entries().iter().all(|entry| is_less(&entry.times(entry), &bound))
             }
-            Fault::CovarianceRestsBySquares(bound) => {
+            Fault::AllRest(bound) => {
                 let squares = change().entries().iter().map(|entry| entry.times(entry)).reduce(|a, b| a.plus(&b));
-                squares.is_some_and(|sum| is_less(&sum, bound))
+                if self.done > 1 && squares.is_some_and(|sum| is_less(&sum, bound)) {
+                    self.kept = Some(rest());
+                }
+                false
             }
             _ => false,
         };

@@ -70,9 +70,9 @@ pub(super) fn entries() -> Vec<Entry> {
                 "Set the tolerance to zero, or make it relative.",
             ],
             Ways::fading(sizes([4, 5, 6, 7, 8, 9, 10, 12], Fault::CovarianceRests)).and(Ways::fading(
-                sizes([8, 10, 12, 16, 19], Fault::CovarianceRestsBySquares)
+                sizes([8, 10, 12, 16, 19], Fault::AllRest)
                     .into_iter()
-                    .map(|(size, fault)| (format!("{size}, the sum of squares"), fault)),
+                    .map(|(size, fault)| (format!("{size} for the sum of squares, and all covariances kept"), fault)),
             )),
         ),
         entry(
