@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::error::Obstacle;
-use super::rank::is_rounding;
+use super::rank::{Computed, is_rounding, rounded_off};
 
 /// `rows · diag(weights) · rowsᵀ`, one column for each independent source of unit weight.
 #[derive(Clone, Debug)]
@@ -24,6 +24,17 @@ impl Factor {
     ///
     /// [`Obstacle::NotFinite`]; [`Obstacle::Indefinite`] if a variance is negative, or what is left of one.
     pub(super) fn of(p: &DMatrix<f64>) -> Result<Self, Obstacle> {
+        let (rows, weights) = Self::computed(p)?;
+        Ok(Self { rows: rows.entries, weights })
+    }
+
+    /// The rows and the weights, with the terms of each entry of the rows: where a difference left nothing but rounding it is zero, and
+    /// these say of what.
+    ///
+    /// # Errors
+    ///
+    /// As for [`of`](Self::of).
+    pub(super) fn computed(p: &DMatrix<f64>) -> Result<(Computed, DVector<f64>), Obstacle> {
         let n = p.nrows();
         if !p.iter().all(|entry| entry.is_finite()) {
             return Err(Obstacle::NotFinite);
@@ -47,8 +58,11 @@ impl Factor {
             left.remove(place);
             let mut column = DVector::zeros(n);
             column[pivot] = 1.0;
+            let mut of_column = column.clone();
             for &i in &left {
-                column[i] = schur[(i, pivot)] / variance;
+                let entry = schur[(i, pivot)] / variance;
+                of_column[i] = (terms[(i, pivot)] + entry.abs() * terms[(pivot, pivot)]) / variance;
+                column[i] = rounded_off(entry, of_column[i], n);
             }
             for &i in &left {
                 for &j in &left {
@@ -58,7 +72,7 @@ impl Factor {
                         of_i * terms[(j, pivot)] + of_j * terms[(i, pivot)] + of_i * of_j * terms[(pivot, pivot)];
                 }
             }
-            columns.push(column);
+            columns.push((column, of_column));
             weights.push(variance);
         }
         if left
@@ -67,8 +81,11 @@ impl Factor {
         {
             return Err(Obstacle::Indefinite);
         }
-        let rows = DMatrix::from_fn(n, columns.len(), |i, j| columns[j][i]);
-        Ok(Self { rows, weights: DVector::from_vec(weights) })
+        let rows = Computed {
+            entries: DMatrix::from_fn(n, columns.len(), |i, j| columns[j].0[i]),
+            terms: DMatrix::from_fn(n, columns.len(), |i, j| columns[j].1[i]),
+        };
+        Ok((rows, DVector::from_vec(weights)))
     }
 
     /// The rank that was found.

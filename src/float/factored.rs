@@ -19,7 +19,7 @@ use super::error::Obstacle;
 use super::factor::Factor;
 use super::moments::Moments;
 use super::observed::Observed;
-use super::rank::{product, product_of_terms};
+use super::rank::{Computed, product, side_by_side, stacked};
 use super::recursion::{Recursion, Update};
 use super::transition::{Departure, Transition};
 
@@ -40,11 +40,11 @@ pub(super) trait Reduction {
 /// What a reading is made of, in common sources.
 pub(super) struct Stage<'a> {
     /// W, n×k.
-    pub(super) state: DMatrix<f64>,
+    pub(super) state: Computed,
     /// F, m×k.
-    pub(super) noise: DMatrix<f64>,
+    pub(super) noise: Computed,
     /// D, n×k, if a transition departs.
-    pub(super) process: Option<DMatrix<f64>>,
+    pub(super) process: Option<Computed>,
     /// The weights of the k sources.
     pub(super) weights: DVector<f64>,
     /// C, m×n.
@@ -54,22 +54,22 @@ pub(super) struct Stage<'a> {
 }
 
 impl Stage<'_> {
-    /// `C W + F`, in one product, so that what cancels between the two is seen to cancel; and the terms of each entry.
-    pub(super) fn readings(&self) -> (DMatrix<f64>, DMatrix<f64>) {
+    /// `C W + F`, in one product, so that what cancels between the two is seen to cancel.
+    pub(super) fn readings(&self) -> Computed {
         sum_of_image(self.observation, &self.state, &self.noise)
     }
 
-    /// W above `A W + D`, for any W and D, and the terms of each entry.
-    pub(super) fn others(&self, state: &DMatrix<f64>, process: Option<&DMatrix<f64>>) -> (DMatrix<f64>, DMatrix<f64>) {
-        let Some(process) = process else { return (state.clone(), state.abs()) };
-        let (ahead, terms) = sum_of_image(self.transition, state, process);
-        (stacked(state, &ahead), stacked(&state.abs(), &terms))
+    /// W above `A W + D`, for any W and D.
+    pub(super) fn others(&self, state: &Computed, process: Option<&Computed>) -> Computed {
+        let Some(process) = process else { return state.clone() };
+        state.above(&sum_of_image(self.transition, state, process))
     }
 }
 
-/// `a x + y`, entries that are nothing but rounding set to zero, and the terms of each entry.
-fn sum_of_image(a: &DMatrix<f64>, x: &DMatrix<f64>, y: &DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>) {
-    product_of_terms(&side_by_side(a, &DMatrix::identity(y.nrows(), y.nrows())), &stacked(x, y))
+/// `a x + y`, entries that are nothing but rounding set to zero.
+fn sum_of_image(a: &DMatrix<f64>, x: &Computed, y: &Computed) -> Computed {
+    let rows = y.entries.nrows();
+    x.above(y).image(&side_by_side(a, &DMatrix::identity(rows, rows)))
 }
 
 /// The other rows given the readings.
@@ -87,8 +87,8 @@ pub(super) struct Conditioned {
 pub(super) struct Belief {
     mean: DVector<f64>,
     factor: Factor,
-    /// F in the columns of the factor, where the reading that follows shares noise with the state.
-    noise: Option<DMatrix<f64>>,
+    /// W and F in the columns of the factor, where the reading that follows shares noise with the state.
+    shared: Option<(Computed, Computed)>,
 }
 
 /// The recursion on factors that are reduced by `R`.
@@ -101,7 +101,7 @@ impl<R: Reduction> Recursion for Factored<R> {
 
     fn start(moments: Moments) -> Result<Belief, Obstacle> {
         let factor = R::compressed(Factor::of(&moments.covariance)?)?;
-        Ok(Belief { mean: moments.mean, factor, noise: None })
+        Ok(Belief { mean: moments.mean, factor, shared: None })
     }
 
     fn moments(belief: &Belief) -> Result<Moments, Obstacle> {
@@ -112,16 +112,19 @@ impl<R: Reduction> Recursion for Factored<R> {
         let Transition { matrix: a, input, noise: q } = transition;
         let moved = Factor { rows: product(a, &belief.factor.rows), weights: belief.factor.weights.clone() };
         let factor = R::compressed(beside(&moved, &Factor::of(q)?))?;
-        Ok(Belief { mean: a * &belief.mean + input, factor, noise: None })
+        Ok(Belief { mean: a * &belief.mean + input, factor, shared: None })
     }
 
     /// The columns are kept as they are, since those of the noise belong to the reading too.
     fn arrived(belief: &Belief, transition: &Transition, observed: &Observed) -> Result<Belief, Obstacle> {
         let Transition { matrix: a, input, noise: q } = transition;
-        let (process, noise) = joint_noise(q, &observed.state_noise, &observed.noise)?;
-        let moved = Factor { rows: product(a, &belief.factor.rows), weights: belief.factor.weights.clone() };
-        let noise = beside_zeros(moved.weights.len(), &noise);
-        Ok(Belief { mean: a * &belief.mean + input, factor: beside(&moved, &process), noise: Some(noise) })
+        let JointNoise { process, noise, weights } = JointNoise::of(q, &observed.state_noise, &observed.noise)?;
+        let own = belief.factor.rank();
+        let state = Computed::from(belief.factor.rows.clone()).image(a).beside(&process);
+        let weights =
+            DVector::from_iterator(own + weights.len(), belief.factor.weights.iter().chain(&weights).copied());
+        let factor = Factor { rows: state.entries.clone(), weights };
+        Ok(Belief { mean: a * &belief.mean + input, factor, shared: Some((state, noise.behind_zeros(own))) })
     }
 
     fn updated(
@@ -129,26 +132,29 @@ impl<R: Reduction> Recursion for Factored<R> {
         observed: &Observed,
         departure: Option<&Departure<'_>>,
     ) -> Result<Update<Belief>, Obstacle> {
-        let Belief { mean, factor, noise } = belief;
+        let Belief { mean, factor, shared } = belief;
         let n = mean.len();
         let (own, transition) =
             (factor.rank(), departure.map_or(&observed.matrix, |departure| &departure.transition.matrix));
-        let (state, process, noise) = match (noise, departure) {
-            (Some(noise), _) => (factor.clone(), None, noise.clone()),
+        let independent = |process: Option<Computed>, noise: Computed, sources: DVector<f64>| {
+            let Factor { rows, weights } = beside_zero_rows(factor, &sources);
+            (Computed::from(rows), process.map(|rows| rows.behind_zeros(own)), noise.behind_zeros(own), weights)
+        };
+        let (state, process, noise, weights) = match (shared, departure) {
+            (Some((state, noise)), _) => (state.clone(), None, noise.clone(), factor.weights.clone()),
             (None, Some(Departure { transition, cross_noise })) => {
-                let (process, noise) = joint_noise(&transition.noise, cross_noise, &observed.noise)?;
-                let state = beside_zero_rows(factor, &process.weights);
-                (state, Some(beside_zeros(own, &process.rows)), beside_zeros(own, &noise))
+                let joint = JointNoise::of(&transition.noise, cross_noise, &observed.noise)?;
+                independent(Some(joint.process), joint.noise, joint.weights)
             }
             (None, None) => {
-                let noise = Factor::of(&observed.noise)?;
-                (beside_zero_rows(factor, &noise.weights), None, beside_zeros(own, &noise.rows))
+                let (noise, sources) = Factor::computed(&observed.noise)?;
+                independent(None, noise, sources)
             }
         };
-        let Factor { rows: state, weights } = state;
         let stage = Stage { state, noise, process, weights, observation: &observed.matrix, transition };
         let innovation = &observed.value - &observed.matrix * mean;
-        let innovation_covariance = Factor { rows: stage.readings().0, weights: stage.weights.clone() }.covariance();
+        let innovation_covariance =
+            Factor { rows: stage.readings().entries, weights: stage.weights.clone() }.covariance();
         let Conditioned { rest, correction, gain } = R::conditioned(&stage, &innovation)?;
         let mut means = mean.clone();
         if let Some(Departure { transition, .. }) = departure {
@@ -159,7 +165,7 @@ impl<R: Reduction> Recursion for Factored<R> {
         let belief = |first: usize| {
             let rows = rest.rows.rows(first, n).into_owned();
             let factor = R::compressed(Factor { rows, weights: rest.weights.clone() })?;
-            Ok(Belief { mean: means.rows(first, n).into_owned(), factor, noise: None })
+            Ok(Belief { mean: means.rows(first, n).into_owned(), factor, shared: None })
         };
         Ok(Update {
             innovation,
@@ -171,30 +177,21 @@ impl<R: Reduction> Recursion for Factored<R> {
     }
 }
 
-/// D and F in common columns, from `(Q M; Mᵀ R)`.
-fn joint_noise(q: &DMatrix<f64>, cross: &DMatrix<f64>, r: &DMatrix<f64>) -> Result<(Factor, DMatrix<f64>), Obstacle> {
-    let (n, m) = cross.shape();
-    let joint = stacked(&side_by_side(q, cross), &side_by_side(&cross.transpose(), r));
-    let Factor { rows, weights } = Factor::of(&joint)?;
-    Ok((Factor { rows: rows.rows(0, n).into_owned(), weights }, rows.rows(n, m).into_owned()))
+/// D and F in common columns.
+struct JointNoise {
+    process: Computed,
+    noise: Computed,
+    weights: DVector<f64>,
 }
 
-fn side_by_side(left: &DMatrix<f64>, right: &DMatrix<f64>) -> DMatrix<f64> {
-    let columns = left.ncols();
-    DMatrix::from_fn(left.nrows(), columns + right.ncols(), |i, j| {
-        if j < columns { left[(i, j)] } else { right[(i, j - columns)] }
-    })
-}
-
-pub(super) fn stacked(above: &DMatrix<f64>, below: &DMatrix<f64>) -> DMatrix<f64> {
-    let rows = above.nrows();
-    DMatrix::from_fn(
-        rows + below.nrows(),
-        above.ncols(),
-        |i, j| {
-            if i < rows { above[(i, j)] } else { below[(i - rows, j)] }
-        },
-    )
+impl JointNoise {
+    /// From `(Q M; Mᵀ R)`.
+    fn of(q: &DMatrix<f64>, cross: &DMatrix<f64>, r: &DMatrix<f64>) -> Result<Self, Obstacle> {
+        let (n, m) = cross.shape();
+        let joint = stacked(&side_by_side(q, cross), &side_by_side(&cross.transpose(), r));
+        let (rows, weights) = Factor::computed(&joint)?;
+        Ok(Self { process: rows.rows(0, n), noise: rows.rows(n, m), weights })
+    }
 }
 
 /// The sum of two independent vectors.
@@ -207,8 +204,4 @@ fn beside(one: &Factor, other: &Factor) -> Factor {
 fn beside_zero_rows(factor: &Factor, weights: &DVector<f64>) -> Factor {
     let rows = DMatrix::zeros(factor.rows.nrows(), weights.len());
     beside(factor, &Factor { rows, weights: weights.clone() })
-}
-
-fn beside_zeros(columns: usize, rows: &DMatrix<f64>) -> DMatrix<f64> {
-    side_by_side(&DMatrix::zeros(rows.nrows(), columns), rows)
 }

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 
 use super::error::Obstacle;
 use super::factor::Factor;
-use super::factored::{Conditioned, Factored, Reduction, Stage, stacked};
+use super::factored::{Conditioned, Factored, Reduction, Stage};
 use super::rank::rounded_off;
 
 /// A triangular L with `P = L Lᵀ`, and the pre-array brought to triangular form by Householder reflections of its columns.
@@ -37,11 +37,11 @@ impl Reduction for Reflections {
     }
 
     fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
-        let (others, other_terms) = stage.others(&stage.state, stage.process.as_ref());
-        let (m, count) = (stage.noise.nrows(), others.nrows());
-        let (readings, terms) = stage.readings();
+        let others = stage.others(&stage.state, stage.process.as_ref());
+        let (m, count) = (stage.noise.entries.nrows(), others.entries.nrows());
+        let rows = stage.readings().above(&others);
         let unit = |rows| Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
-        let (mut array, terms) = (unit(stacked(&readings, &others)), unit(stacked(&terms, &other_terms)));
+        let (mut array, terms) = (unit(rows.entries), unit(rows.terms));
         let pivots = triangularise(&mut array, terms, m, m);
         let rank = pivots.iter().flatten().count();
         let cross = array.view((m, 0), (count, rank));

@@ -58,7 +58,8 @@ impl Reduction for Rotations {
 
     fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
         let unit = |rows| Factor { rows, weights: stage.weights.clone() }.of_unit_weights();
-        let (readings, rows) = (unit(stage.readings().0), unit(stage.others(&stage.state, stage.process.as_ref()).0));
+        let (readings, rows) =
+            (unit(stage.readings().entries), unit(stage.others(&stage.state, stage.process.as_ref()).entries));
         let m = readings.nrows();
         // Each reading in units of its deviation, to a power of two.
         let units = DVector::from_fn(m, |i, _| power_of_two(readings.row(i).norm()));

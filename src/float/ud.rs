@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::error::Obstacle;
 use super::factor::Factor;
-use super::factored::{Conditioned, Factored, Reduction, Stage, stacked};
-use super::rank::rounded_off;
+use super::factored::{Conditioned, Factored, Reduction, Stage};
+use super::rank::{Computed, rounded_off};
 
 /// U unit upper triangular and D diagonal with `P = U D Uᵀ`: no square root is drawn anywhere.
 ///
@@ -30,18 +30,16 @@ impl Reduction for GramSchmidt {
     const DESCRIPTION: &'static str = "P = UDU', scalar readings by Bierman, transitions by Thornton, no square roots";
 
     fn compressed(factor: Factor) -> Result<Factor, Obstacle> {
-        let Triangular { upper, variances, .. } = Triangular::of(factor);
+        let Triangular { upper, variances, .. } = Triangular::of(factor.rows.into(), factor.weights);
         let kept: Vec<usize> = (0..variances.len()).filter(|&j| variances[j] != 0.0).collect();
         Ok(Factor { rows: upper.select_columns(&kept), weights: variances.select_rows(&kept) })
     }
 
     fn conditioned(stage: &Stage<'_>, innovation: &DVector<f64>) -> Result<Conditioned, Obstacle> {
-        let (n, m) = (stage.state.nrows(), stage.noise.nrows());
-        let process =
-            stage.process.as_ref().map_or_else(|| stage.noise.clone(), |process| stacked(&stage.noise, process));
-        let rows = stacked(&process, &stage.state);
-        let first = rows.nrows() - n;
-        let mut joint = Triangular::of(Factor { rows, weights: stage.weights.clone() });
+        let (n, m) = (stage.state.entries.nrows(), stage.noise.entries.nrows());
+        let noise = stage.process.as_ref().map_or_else(|| stage.noise.clone(), |process| stage.noise.above(process));
+        let first = noise.entries.nrows();
+        let mut joint = Triangular::of(noise.above(&stage.state), stage.weights.clone());
         let (mut shift, mut gain) = (DVector::zeros(first + n), DMatrix::zeros(first + n, m));
         let mut regular = true;
         for i in 0..m {
@@ -57,14 +55,12 @@ impl Reduction for GramSchmidt {
             own[i] += 1.0;
             gain += k * own;
         }
-        let state = joint.upper.rows(first, n).into_owned();
         let departs = stage.process.is_some();
-        let process = departs.then(|| joint.upper.rows(m, n).into_owned());
-        let rest = Factor { rows: stage.others(&state, process.as_ref()).0, weights: joint.variances };
         let of_others = |rows: &DMatrix<f64>| {
-            let ahead = departs.then(|| rows.rows(m, n).into_owned());
-            stage.others(&rows.rows(first, n).into_owned(), ahead.as_ref()).0
+            let ahead = departs.then(|| rows.rows(m, n).into_owned().into());
+            stage.others(&rows.rows(first, n).into_owned().into(), ahead.as_ref()).entries
         };
+        let rest = Factor { rows: of_others(&joint.upper), weights: joint.variances };
         let correction = of_others(&DMatrix::from_column_slice(first + n, 1, shift.as_slice())).column(0).into_owned();
         Ok(Conditioned { rest, correction, gain: regular.then(|| of_others(&gain)) })
     }
@@ -82,11 +78,13 @@ struct Triangular {
 
 impl Triangular {
     /// The rows made orthogonal in the weights of the columns, from the last one on.
-    fn of(factor: Factor) -> Self {
-        let Factor { rows, weights } = factor;
+    fn of(rows: Computed, weights: DVector<f64>) -> Self {
+        let Computed { entries: rows, terms } = rows;
         let n = rows.nrows();
-        let mut rest = Rest { terms: rows.abs(), most: Vec::new(), rows, weights };
-        rest.most = (0..n).map(|i| rest.square(i).sqrt()).collect();
+        let deviation =
+            |i: usize| terms.row(i).iter().zip(&weights).map(|(term, weight)| weight * term * term).sum::<f64>();
+        let most = (0..n).map(|i| deviation(i).sqrt()).collect();
+        let mut rest = Rest { rows, weights, terms, most };
         let (mut upper, mut variances, mut terms) = (DMatrix::identity(n, n), DVector::zeros(n), DMatrix::zeros(n, n));
         for j in (0..n).rev() {
             variances[j] = rest.square(j);

@@ -50,13 +50,27 @@ pub struct Sensitivity {
 impl Sensitivity {
     /// Finds it; nothing if there is nothing of which any digit could be lost.
     pub fn of(path: &Path<Rational>, numbers: Numbers, reference: &Reference) -> Option<Self> {
+        Self::among(&Quantity::ALL, path, numbers, reference)
+    }
+
+    /// The same for one quantity: at the step where the fewest digits of it are attainable.
+    pub fn of_quantity(
+        quantity: Quantity,
+        path: &Path<Rational>,
+        numbers: Numbers,
+        reference: &Reference,
+    ) -> Option<Self> {
+        Self::among(&[quantity], path, numbers, reference)
+    }
+
+    fn among(quantities: &[Quantity], path: &Path<Rational>, numbers: Numbers, reference: &Reference) -> Option<Self> {
         let places =
             reference.attainable.iter().enumerate().flat_map(|(step, digits)| {
                 digits.iter().map(move |(&quantity, &attainable)| (step, quantity, attainable))
             });
         // Of equal ones the first.
         let (step, quantity, attainable) = places
-            .filter(|(step, quantity, _)| reference.scale(*step, *quantity).is_some())
+            .filter(|(step, quantity, _)| quantities.contains(quantity) && reference.scale(*step, *quantity).is_some())
             .min_by(|(.., one), (.., other)| one.value().total_cmp(&other.value()))?;
         if attainable == Digits::EXACT {
             return None;
