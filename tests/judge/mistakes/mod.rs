@@ -7,6 +7,7 @@ mod model;
 mod named;
 mod output;
 mod page;
+mod resting;
 mod subject;
 mod together;
 
