@@ -30,7 +30,10 @@ pub(super) fn text(path: &Path) -> Result<String, Trouble> {
 /// `*.jsonl` below a directory, in the order of their names.
 pub(super) fn cases(path: &Path) -> Result<Vec<Case>, Trouble> {
     let mut files = Vec::new();
-    collect(path, &mut files)?;
+    // A suite that was written with its references has its cases below a directory of its own.
+    let below = path.join("cases");
+    let is_release = path.join("MANIFEST.json").is_file() && below.is_dir();
+    collect(if is_release { &below } else { path }, &mut files)?;
     let mut cases = Vec::new();
     let mut ids = BTreeSet::new();
     for file in files {
@@ -144,7 +147,13 @@ impl Selection {
         };
         let chosen: Vec<Case> = all.into_iter().filter(wanted).collect();
         if chosen.is_empty() {
-            let message = format!("no case has an id or a flag with {:?}; `exact-kalman cases` lists them", self.only);
+            let within = if self.category.is_empty() {
+                String::new()
+            } else {
+                format!(" in category {}", self.category.join(", "))
+            };
+            let texts = self.only.iter().map(|text| format!("{text:?}")).collect::<Vec<_>>().join(" or ");
+            let message = format!("no case{within} has an id or a flag with {texts}; `exact-kalman cases` lists them");
             return Err(Trouble::Other { place: "--only".into(), message });
         }
         Ok(chosen)

@@ -219,6 +219,10 @@ fn score(
     let (mut fewest, mut fewest_attainable) = (Digits::EXACT, Digits::EXACT);
     for (step, (theirs, truth)) in answered.iter().zip(&reference.values).enumerate() {
         let (Some(exact), Some(scale)) = (truth.get(&quantity), reference.scale(step, quantity)) else { continue };
+        // What is said of a step without a reading must be right, but need not be said.
+        if quantity.is_number() && !theirs.contains_key(&quantity) && reference.observed[step].is_empty() {
+            continue;
+        }
         let attainable = reference.attainable[step].get(&quantity).copied().unwrap_or(Digits::EXACT);
         let finite = match finite(theirs.get(&quantity), exact) {
             Ok(finite) => finite,

@@ -33,7 +33,7 @@ impl Default for LogLikelihood {
 }
 
 impl LogLikelihood {
-    /// Adds the log likelihood to the values of each step whose innovation covariance is regular.
+    /// Adds the log likelihood to the values of each step whose innovation covariance is regular, or at which nothing is read.
     ///
     /// On a singular one a density is one on a subspace, and a diffuse part leaves a constant open: customs differ, so neither
     /// is judged.
@@ -46,7 +46,13 @@ impl LogLikelihood {
     fn insert(&self, step: &mut StepValues) {
         let [innovation, covariance] =
             [Quantity::Innovation, Quantity::InnovationCovariance].map(|quantity| step.values.get(&quantity));
-        let (Some(innovation), Some(covariance)) = (innovation, covariance) else { return };
+        let (Some(innovation), Some(covariance)) = (innovation, covariance) else {
+            // Nothing is read of a state that has a law: the likelihood is one.
+            if step.values.contains_key(&Quantity::PredictedMean) {
+                step.values.insert(Quantity::LogLikelihood, Matrix::zeros(1, 1));
+            }
+            return;
+        };
         if step.innovation_rank == covariance.rows()
             && let Some(value) = self.of(innovation, covariance)
         {

@@ -44,6 +44,9 @@ pub fn text(report: &Report, all: bool) -> String {
     if shown < findings.len() {
         let _ = writeln!(out, "\n… and {}; --all shows them", counted(findings.len() - shown, "more finding"));
     }
+    if all {
+        out += &nearly(report);
+    }
     out += &diagnosis::section(&looks);
     out.push('\n');
     for remark in &report.remarks {
@@ -52,6 +55,18 @@ pub fn text(report: &Report, all: bool) -> String {
     let counts: Vec<String> = report.counts().iter().map(|(verdict, count)| format!("{count} {verdict}")).collect();
     let _ = writeln!(out, "{}: {}", counted(report.results.len(), "case"), counts.join(", "));
     out + &incomplete(report)
+}
+
+/// Where answers that agree are more than a digit behind: within what is forgiven, but somebody may want to know.
+fn nearly(report: &Report) -> String {
+    let behind = |score: &&Score| score.attainable.value() - score.worst.digits.value() > 1.0;
+    let mut out = String::new();
+    for (case, judgement) in report.results.iter().filter(|(_, judgement)| judgement.verdict == Verdict::Agrees) {
+        for score in judgement.scores.iter().filter(behind) {
+            let _ = writeln!(out, "   {}: {}", printable(&case.id), described(score));
+        }
+    }
+    if out.is_empty() { out } else { format!("\nAgreeing, but more than a digit behind\n{out}") }
 }
 
 /// What is to be said of a report that is not on all cases.

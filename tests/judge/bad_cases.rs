@@ -12,7 +12,6 @@ fn repairs() -> Vec<(&'static str, &'static str, &'static str, Value)> {
         ("refuse/indefinite-prior", "initial.covariance", "/initial/covariance", json!([["500", "80"], ["80", "500"]])),
         ("refuse/negative-prior", "initial.covariance", "/initial/covariance/1/1", json!("1")),
         ("refuse/covariance-without-variance", "initial.covariance", "/initial/covariance/1/1", json!("1")),
-        ("refuse/asymmetric-in-the-last-bit", "initial.covariance", "/initial/covariance/1/0", json!("0.1")),
         ("refuse/asymmetric-process-noise", "noise.process", "/noise/process/1/0", json!("0.5")),
         ("refuse/indefinite-process-noise", "noise.process", "/noise/process", twin.clone()),
         ("refuse/negative-process-noise", "noise.process", "/noise/process/1/1", json!("0.001")),

@@ -29,9 +29,6 @@ fn covariances() -> Vec<Case> {
         bad("refuse/covariance-without-variance", "a state of variance zero is correlated with another")
             .starting("0 0", "10 1; 1 0")
             .reading(READINGS),
-        bad("refuse/asymmetric-in-the-last-bit", "the initial covariance is symmetric but for the last bit")
-            .starting("0 0", "10 0.1; 0.10000000000000002 10")
-            .reading(READINGS),
         bad("refuse/asymmetric-process-noise", "the process noise is not symmetric")
             .noise("1 0.5; 0.25 1", "0.5")
             .reading(READINGS),

@@ -18,7 +18,7 @@ pub(super) fn cases(draw: Draw) -> Vec<Case> {
         Draft::new("long/nearly-constant", "three hundred steps of a random walk that hardly moves", &FLAGS)
             .noise("0.0009765625", "1")
             .reading(whole(293, 300)),
-        Draft::new("long/every-other-missing", "five hundred steps, of which every third has no reading", &FLAGS)
+        Draft::new("long/every-third-missing", "five hundred steps, of which every third has no reading", &FLAGS)
             .noise("1", "4")
             .reading(gaps(whole(294, 500), &(0..500).step_by(3).collect::<Vec<_>>())),
         Draft::new("long/trend", "a line through a hundred and fifty readings, without process noise", &FLAGS)

@@ -90,10 +90,13 @@ fn carbon_dioxide() -> Vec<Case> {
         season("real/carbon-dioxide-season", "carbon dioxide by weeks from March 1958, with gaps: trend and season")
             .starting("315 0 0 0", &diagonal(&["1e6", "1", "100", "100"]))
             .reading(column(CO2, 1).take(52)),
-        trend("real/carbon-dioxide-diffuse", "carbon dioxide by weeks from July 1962, with gaps, diffuse start")
-            .starting("0 0", "0 0; 0 0")
-            .diffuse("1 0; 0 1")
-            .reading(column(CO2, 1).skip(222).take(38)),
+        trend(
+            "real/carbon-dioxide-diffuse",
+            "carbon dioxide by weeks from the end of June 1962, with gaps, diffuse start",
+        )
+        .starting("0 0", "0 0; 0 0")
+        .diffuse("1 0; 0 1")
+        .reading(column(CO2, 1).skip(222).take(38)),
     ]
 }
 
