@@ -8,24 +8,51 @@ use crate::trace::{Quantity, Values};
 /// More bits than any enclosure has.
 const ALL: i64 = i64::MAX;
 
+/// A variance that may be zero, and is below that of the state before the reading by a factor of two to this power, counts as
+/// zero: data that are doubles leave no variance so small, but for zero.
+const VANISHING: i64 = 1 << 11;
+
 impl CertifiedStep {
     /// The least number a such that all entries are known to within 2⁻ᵃ of their units: √(pᵢᵢ pⱼⱼ) for covariances, the larger
-    /// of |xᵢ| and √pᵢᵢ for means. Nothing where all are known exactly.
+    /// of |xᵢ| and √pᵢᵢ for means. Nothing where all are known exactly. Where a variance vanishes, the state's before the reading
+    /// is the unit.
     pub fn accuracy(&self) -> Option<u64> {
         let pairs = [
             (Quantity::FilteredMean, Quantity::FilteredCovariance),
             (Quantity::PredictedMean, Quantity::PredictedCovariance),
             (Quantity::Innovation, Quantity::InnovationCovariance),
         ];
-        let of = |(mean, covariance)| of_moments(&self.values, mean, covariance);
+        let of = |(mean, covariance)| {
+            let vanishing = if covariance == Quantity::FilteredCovariance { self.vanishing() } else { Vec::new() };
+            of_moments(&self.values, (mean, covariance), &vanishing)
+        };
         let least = pairs.into_iter().map(of).min().unwrap_or(ALL);
         (least < ALL).then(|| u64::try_from(least).unwrap_or(0))
     }
+
+    /// For each state whose variance after the reading may be zero and vanishes beside the one before: that one's deviation, as
+    /// twice its logarithm.
+    pub(super) fn vanishing(&self) -> Vec<Option<i64>> {
+        let [Some(before), Some(after)] =
+            [Quantity::PredictedCovariance, Quantity::FilteredCovariance].map(|quantity| self.values.get(&quantity))
+        else {
+            return Vec::new();
+        };
+        let of = |i: usize| {
+            let (unit, variance) = (twice_deviation(&before[(i, i)])?, &after[(i, i)]);
+            let small = variance.upper().magnitude().is_none_or(|size| size < unit - VANISHING);
+            let may_be_zero = variance.lower().is_negative() || variance.lower().is_zero();
+            (may_be_zero && small).then_some(unit)
+        };
+        (0..after.rows()).map(of).collect()
+    }
 }
 
-fn of_moments(values: &Values<Interval>, mean: Quantity, covariance: Quantity) -> i64 {
+fn of_moments(values: &Values<Interval>, (mean, covariance): (Quantity, Quantity), vanishing: &[Option<i64>]) -> i64 {
     let (Some(mean), Some(covariance)) = (values.get(&mean), values.get(&covariance)) else { return ALL };
-    let deviations: Vec<Option<i64>> = (0..covariance.rows()).map(|i| twice_deviation(&covariance[(i, i)])).collect();
+    let own = |i: usize| twice_deviation(&covariance[(i, i)]);
+    let deviations: Vec<Option<i64>> =
+        (0..covariance.rows()).map(|i| vanishing.get(i).copied().flatten().or_else(|| own(i))).collect();
     let of_mean = (0..mean.rows()).map(|i| {
         let own = least_magnitude(&mean[(i, 0)]).map(|size| 2 * size);
         known(&mean[(i, 0)], own.max(deviations[i]))

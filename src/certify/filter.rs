@@ -21,7 +21,22 @@ pub struct CertifiedStep {
 }
 
 impl CertifiedStep {
-    /// The middle of each interval, in fractions of so many bits.
+    /// The largest power of two, up or down, of an entry that is not zero.
+    pub(super) fn magnitude(&self) -> Option<u64> {
+        let of = |interval: &Interval| {
+            let (lower, upper) = (interval.lower(), interval.upper());
+            let sizes = [lower, upper].map(|end| end.magnitude().unwrap_or(0));
+            let may_be_zero = lower.is_negative() != upper.is_negative() || lower.is_zero() || upper.is_zero();
+            // What may be zero has ends that are small for no reason but the bits.
+            sizes
+                .into_iter()
+                .map(|size| if may_be_zero { size.max(0).unsigned_abs() } else { size.unsigned_abs() })
+                .max()
+        };
+        self.values.values().flat_map(Matrix::entries).filter_map(of).max()
+    }
+
+    /// The middle of each interval, in fractions of so many bits; zero where a variance [vanishes](Self::accuracy).
     pub fn middles(&self, bits: u64) -> StepValues {
         let half = Dyadic::new(1.into(), -1);
         let middle = |interval: &Interval| {
@@ -29,8 +44,17 @@ impl CertifiedStep {
             // A number that long has no place in a filter's answer.
             twice.times(&half, bits, Toward::Below).value().unwrap_or_else(Rational::zero)
         };
-        let values: Values<Rational> =
+        let mut values: Values<Rational> =
             self.values.iter().map(|(&quantity, entries)| (quantity, entries.map(middle))).collect();
+        if let Some(covariance) = values.get_mut(&Quantity::FilteredCovariance) {
+            let vanishing = self.vanishing();
+            let gone: Vec<bool> = vanishing.iter().map(Option::is_some).collect();
+            for (i, j) in (0..gone.len()).flat_map(|i| (0..gone.len()).map(move |j| (i, j))) {
+                if gone[i] || gone[j] {
+                    covariance[(i, j)] = Rational::zero();
+                }
+            }
+        }
         StepValues { values, innovation_rank: self.innovation_rank }
     }
 }

@@ -5,7 +5,7 @@ use std::iter::Skip;
 use super::CertifiedFilter;
 use super::filter::CertifiedStep;
 use crate::filter::{Effort, RationalFilter, RationalStep, StepValues, StopReason};
-use crate::matrix::Matrix;
+use crate::matrix::{Fractions, Matrix};
 use crate::model::{Path, Timing};
 use crate::scalar::{Precision, Rational};
 use crate::trace::Quantity;
@@ -56,7 +56,14 @@ pub struct TieredFilter<'a> {
     certified: Option<Skip<CertifiedFilter<'a>>>,
     bits: u64,
     done: usize,
+    /// Exact steps before enclosures are tried again, where they decided nothing; more each time.
+    patience: usize,
+    /// The steps before which they are not.
+    patient_until: usize,
 }
+
+/// Beyond this power of two, up or down, no double lies by far, and fractions take too much memory.
+const FARTHEST: u64 = 1 << 13;
 
 type Belief = (Matrix<Rational>, Matrix<Rational>);
 
@@ -73,6 +80,8 @@ impl<'a> TieredFilter<'a> {
             certified: None,
             bits: tiers.bits,
             done: 0,
+            patience: 1,
+            patient_until: 0,
         }
     }
 
@@ -88,7 +97,10 @@ impl<'a> TieredFilter<'a> {
             self.exact_steps += 1;
         }
         let step = last?;
-        if self.exact.bits() > self.tiers.exact_bits {
+        if let Some(bits) = magnitude(&step).filter(|bits| *bits > FARTHEST) {
+            return Some(Err(StopReason::TooLong { bits, limit: FARTHEST }));
+        }
+        if self.exact.bits() > self.tiers.exact_bits && self.done + 1 >= self.patient_until {
             // What departs from this step shows in the next one: that is done twice.
             let before = if self.path.timing() == Timing::Departing { self.done } else { self.done + 1 };
             let names = match self.path.timing() {
@@ -121,6 +133,9 @@ impl Iterator for TieredFilter<'_> {
         while let Some(certified) = &mut self.certified {
             match certified.next() {
                 Some(Ok(step)) if step.accuracy().is_none_or(|bits| bits >= self.tiers.accuracy) => {
+                    if let Some(bits) = step.magnitude().filter(|bits| *bits > FARTHEST) {
+                        return Some(Err(StopReason::TooLong { bits, limit: FARTHEST }));
+                    }
                     self.done += 1;
                     return Some(Ok(TieredStep::Certified(step)));
                 }
@@ -130,11 +145,25 @@ impl Iterator for TieredFilter<'_> {
                     self.bits = (2 * self.bits).min(self.tiers.most_bits);
                     self.enclose(self.done);
                 }
-                _ => self.certified = None,
+                _ => {
+                    self.certified = None;
+                    self.patient_until = self.done + self.patience;
+                    self.patience = self.patience.saturating_mul(2);
+                }
             }
         }
         self.exactly()
     }
+}
+
+/// The largest power of two, up or down, of an entry that is not zero.
+fn magnitude(step: &RationalStep) -> Option<u64> {
+    let of = |fractions: &Fractions| {
+        let under = fractions.denominator.bits();
+        let sizes = fractions.numerators.entries().iter().filter(|entry| entry.bits() > 0);
+        sizes.map(|entry| entry.bits().abs_diff(under)).max()
+    };
+    step.values.values().filter_map(of).max()
 }
 
 impl TieredStep {

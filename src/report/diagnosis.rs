@@ -16,13 +16,14 @@ pub(super) fn section(diagnosis: &Diagnosis) -> String {
     for explanation in &diagnosis.explanations {
         let Explanation { mistake, shows, met, .. } = explanation;
         let _ = writeln!(out, "\n{}: {}{}", mistake.name, mistake.sentence, ways(explanation));
-        let answers = if *shows == 1 { "answer" } else { "answers" };
         let tail = match mistake.kind {
-            Kind::Mistake => "what comes of it",
-            Kind::Reading => "right if it is read so; this is a convention, not a fault",
+            Kind::Mistake => "with it",
+            Kind::Reading => "if it is read so; this is a convention, not a fault",
         };
-        let are = if *met == 1 { "is" } else { "are" };
-        let _ = writeln!(out, "   {met} of the {shows} {answers} that would show it {are} {tail}.");
+        let _ = match *shows {
+            1 => writeln!(out, "   The one answer in which it would show agrees {tail}."),
+            _ => writeln!(out, "   {met} of the {shows} answers in which it would show agree {tail}."),
+        };
         if !explanation.alike.is_empty() {
             let names: Vec<&str> = explanation.alike.iter().map(|other| other.name).collect();
             let _ = writeln!(out, "   These answers do not tell it from {}.", names.join(", "));

@@ -32,6 +32,8 @@ pub fn text(report: &Report, all: bool) -> String {
         out += ATTAINABLE;
     }
     let (findings, looks) = (report.placed_findings(), report.diagnosis());
+    // What many come for stands before the details.
+    out += &diagnosis::section(&looks);
     let shown = if all { findings.len() } else { findings.len().min(SHOWN) };
     if !findings.is_empty() {
         let _ = writeln!(out, "\n{}, worst first", counted(findings.len(), "finding"));
@@ -47,7 +49,6 @@ pub fn text(report: &Report, all: bool) -> String {
     if all {
         out += &nearly(report);
     }
-    out += &diagnosis::section(&looks);
     out.push('\n');
     for remark in &report.remarks {
         let _ = writeln!(out, "note: {}", printable(remark));
