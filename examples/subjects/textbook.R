@@ -24,7 +24,11 @@ read_json <- function(line) {
 }
 
 depth <- function(value) if (is.list(value)) 1 + max(0, sapply(value, depth)) else 0
-vector_of <- function(row) as.numeric(unlist(row))
+vector_of <- function(row) {
+  numbers <- suppressWarnings(as.numeric(unlist(row)))
+  if (any(is.na(numbers) & !is.nan(numbers))) stop("a literal is no number")  # NA would be printed
+  numbers
+}
 matrix_of <- function(rows) do.call(rbind, lapply(rows, vector_of))
 
 # The function k -> value of a constant, or of a list with one value per observation.

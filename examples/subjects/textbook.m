@@ -23,11 +23,7 @@ function items = list(value)
   end
 end
 
-% The value at k of a constant, or of a list with one value per observation.
-function m = at(value, deep, k)
-  if (depth (value) > deep || any (cellfun (@isempty, list (value))))
-    value = value{k};
-  end
+function m = read(value, deep)
   if (deep == 2)
     m = cell2mat (cellfun (@(row) cellfun (@number, list (row)), list (value)', "UniformOutput", false));
   else
@@ -35,36 +31,40 @@ function m = at(value, deep, k)
   end
 end
 
-% B u.
-function x = added(case_, name, size, k)
-  x = zeros (size, 1);
+% The function k -> value of a constant, read once, or of a list with one value per observation.
+function f = along(value, deep)
+  if (depth (value) > deep || any (cellfun (@isempty, list (value))))
+    f = @(k) read (value{k}, deep);
+  else
+    m = read (value, deep);
+    f = @(k) m;
+  end
+end
+
+% The function k -> B u.
+function f = added(case_, name, size)
+  f = @(k) zeros (size, 1);
   if (isfield (case_, name))
     term = case_.(name);
-    x = at (term.vector, 1, k);
+    f = along (term.vector, 1);
     if (isfield (term, "matrix"))
-      x = at (term.matrix, 2, k) * x;
+      u = f; b = along (term.matrix, 2);
+      f = @(k) b(k) * u(k);
     end
   end
 end
 
-% Q, cov(process noise, observation noise), R; the first two not where no observation depends on them.
-function [q, s, r] = law(noise, n, m, k, with_transition)
-  q = zeros (n); s = zeros (n, m);
+% The functions k -> Q, k -> cov(process noise, observation noise), k -> R.
+function [q, s, r] = law(noise, n, m)
   if (isfield (noise, "process_factor"))
-    f = at (noise.observation_factor, 2, k);
-    r = f * f';
-    if (with_transition)
-      d = at (noise.process_factor, 2, k);
-      q = d * d'; s = d * f';
-    end
+    d = along (noise.process_factor, 2); f = along (noise.observation_factor, 2);
+    q = @(k) d(k) * d(k)'; s = @(k) d(k) * f(k)'; r = @(k) f(k) * f(k)';
     return
   end
-  r = at (noise.observation, 2, k);
-  if (with_transition)
-    q = at (noise.process, 2, k);
-    if (isfield (noise, "cross"))
-      s = at (noise.cross, 2, k);
-    end
+  q = along (noise.process, 2); r = along (noise.observation, 2);
+  s = @(k) zeros (n, m);
+  if (isfield (noise, "cross"))
+    s = along (noise.cross, 2);
   end
 end
 
@@ -86,14 +86,18 @@ function [done, trouble] = steps(c)
   try
     arriving = strcmp (c.timing, "arriving");
     readings = list (c.observations);
-    x = at (c.initial.mean, 1, 1); p = at (c.initial.covariance, 2, 1);
-    n = numel (x); m = rows (at (c.observation, 2, 1));
+    x = read (c.initial.mean, 1); p = read (c.initial.covariance, 2);
+    a_at = along (c.transition, 2); h_at = along (c.observation, 2);
+    n = numel (x); m = rows (h_at(1));
+    u_at = added (c, "input", n); v_at = added (c, "observation_input", m);
+    [q_at, s_at, r_at] = law (c.noise, n, m);
     for k = 1:numel (readings)
       leads_here = arriving && (k > 1 || strcmp (c.initial.before, "transition"));
       leaves = ! arriving && k < numel (readings);
-      [q, s, r] = law (c.noise, n, m, k, leads_here || leaves);
-      if (leads_here || leaves)
-        a = at (c.transition, 2, k); u = added (c, "input", n, k);
+      if (leads_here || leaves)  % no other is there in every list
+        a = a_at(k); u = u_at(k); q = q_at(k); s = s_at(k);
+      else
+        s = zeros (n, m);
       end
       if (leads_here)
         x = a * x + u; p = a * p * a' + q;
@@ -102,11 +106,11 @@ function [done, trouble] = steps(c)
       reading = list (readings{k});
       seen = find (! cellfun (@isempty, reading));
       if (! isempty (seen))
-        h = at (c.observation, 2, k)(seen, :); s = s(:, seen);
+        h = h_at(k)(seen, :); r = r_at(k)(seen, seen); s = s(:, seen);
         shared = s * leads_here;  % cov(x_k, noise of y_k)
         cov_xy = p * h' + shared;
-        var_y = h * cov_xy + r(seen, seen) + (h * shared)';
-        e = cellfun (@number, reading(seen))' - h * x - added (c, "observation_input", m, k)(seen);
+        var_y = h * cov_xy + r + (h * shared)';
+        e = cellfun (@number, reading(seen))' - h * x - v_at(k)(seen);
         gain = cov_xy / var_y;
         if (! all (isfinite (gain(:))))
           error ("the innovation covariance is singular");
