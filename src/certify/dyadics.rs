@@ -136,11 +136,11 @@ fn inner(one: &[BigInt], other: &[BigInt]) -> BigInt {
 
 /// A symmetric matrix by its lower triangle.
 pub(super) fn symmetric(n: usize, mut entry: impl FnMut(usize, usize) -> BigInt) -> Matrix<BigInt> {
-    let mut matrix = Matrix::zeros(n, n);
+    let mut matrix = Matrix::<BigInt>::zeros(n, n);
     for i in 0..n {
         for j in 0..=i {
             let value = entry(i, j);
-            matrix[(j, i)] = value.clone();
+            matrix[(j, i)].clone_from(&value);
             matrix[(i, j)] = value;
         }
     }

@@ -319,7 +319,7 @@ mod tests {
             let mut draw = Draw(Pcg64Mcg::seed_from_u64(1000 + seed));
             let path = draw.path();
             let initial = path.initial();
-            let gap = initial.covariance.scaled(&ratio(1, i64::try_from(4 << draw.below(4)).expect("small")));
+            let gap = initial.covariance.scaled(&ratio(1, i64::from(4 << draw.below(4))));
             let middle = if draw.below(4) == 0 { &initial.covariance - &gap } else { &initial.covariance + &gap };
             let mut belief = Enclosed::of(&initial.mean, &middle, 53);
             let gap = Enclosed::of(&initial.mean, &gap, 53);

@@ -97,11 +97,11 @@ impl Law {
                 let mixed = &c * &s;
                 let noise = r + c.congruence(q) + &mixed + mixed.transpose();
                 let predicted = moves(transition, Matrix::zeros(n, m));
-                Self::over(&(&c * &transition.matrix), &noise, Some(predicted), moves(transition, cross), None)
+                Self::over(&(&c * &transition.matrix), &noise, Some(&predicted), &moves(transition, cross), None)
             }
             (Some(transition), Timing::Departing) => {
                 let ahead = moves(transition, shared(transition));
-                Self::over(&c, &r, None, stays(Matrix::zeros(n, m)), Some(ahead))
+                Self::over(&c, &r, None, &stays(Matrix::zeros(n, m)), Some(&ahead))
             }
             (transition, _) => {
                 // The noise of y_0 may be shared with x_0 in the arriving timing.
@@ -111,7 +111,7 @@ impl Law {
                 };
                 let mixed = &c * &cross;
                 let noise = r + &mixed + mixed.transpose();
-                Self::over(&c, &noise, None, stays(cross), None)
+                Self::over(&c, &noise, None, &stays(cross), None)
             }
         };
         Self { readings, ..law }
@@ -120,11 +120,11 @@ impl Law {
     fn over(
         observation: &Matrix<Rational>,
         noise: &Matrix<Rational>,
-        predicted: Option<Exact>,
-        filtered: Exact,
-        ahead: Option<Exact>,
+        predicted: Option<&Exact>,
+        filtered: &Exact,
+        ahead: Option<&Exact>,
     ) -> Self {
-        let targets = || predicted.iter().chain([&filtered]).chain(&ahead);
+        let targets = || predicted.into_iter().chain([filtered]).chain(ahead);
         let maps = targets().filter_map(|target| target.map.as_ref()).chain([observation]);
         let odd = maps.fold(BigInt::one(), |odd, map| odd_denominator(odd, map.entries()));
         let square = &odd * &odd;
@@ -139,9 +139,9 @@ impl Law {
         Self {
             observation: Dyadics::of(observation, &odd),
             noise: Dyadics::of(noise, &noise_odd),
-            predicted: predicted.as_ref().map(target),
-            filtered: target(&filtered),
-            ahead: ahead.as_ref().map(target),
+            predicted: predicted.map(target),
+            filtered: target(filtered),
+            ahead: ahead.map(target),
             lift: &noise_odd / square,
             readings: Readings::default(),
             odd,

@@ -10,18 +10,12 @@ use crate::model::Step;
 use crate::scalar::{Interval, Rational, Scalar as _};
 
 /// Which entries are used, and how the others follow from them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Readings {
     /// The entries that are used, as indices of sensors.
     pub(super) kept: Vec<usize>,
     /// L, with `all observed entries = L · kept ones`; nothing if all are kept.
     combination: Option<Matrix<Rational>>,
-}
-
-impl Default for Readings {
-    fn default() -> Self {
-        Self { kept: Vec::new(), combination: None }
-    }
 }
 
 impl Readings {

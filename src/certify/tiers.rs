@@ -60,6 +60,8 @@ pub struct TieredFilter<'a> {
     patience: usize,
     /// The steps before which they are not.
     patient_until: usize,
+    /// After an error there is nothing more.
+    ended: bool,
 }
 
 /// Beyond this power of two, up or down, no double lies by far, and fractions take too much memory.
@@ -82,6 +84,7 @@ impl<'a> TieredFilter<'a> {
             done: 0,
             patience: 1,
             patient_until: 0,
+            ended: false,
         }
     }
 
@@ -130,6 +133,17 @@ impl Iterator for TieredFilter<'_> {
     type Item = Result<TieredStep, StopReason>;
 
     fn next(&mut self) -> Option<Self::Item> {
+        if self.ended {
+            return None;
+        }
+        let next = self.advance();
+        self.ended = !matches!(next, Some(Ok(_)));
+        next
+    }
+}
+
+impl TieredFilter<'_> {
+    fn advance(&mut self) -> Option<Result<TieredStep, StopReason>> {
         while let Some(certified) = &mut self.certified {
             match certified.next() {
                 Some(Ok(step)) if step.accuracy().is_none_or(|bits| bits >= self.tiers.accuracy) => {
