@@ -65,7 +65,7 @@ pub struct TieredFilter<'a> {
 }
 
 /// Beyond this power of two, up or down, no double lies by far, and fractions take too much memory.
-const FARTHEST: u64 = 1 << 13;
+const FARTHEST: u64 = 1 << 14;
 
 type Belief = (Matrix<Rational>, Matrix<Rational>);
 
