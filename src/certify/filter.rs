@@ -3,7 +3,7 @@
 use super::enclosed::Enclosed;
 use super::grid::BOUND_BITS;
 use super::innovation::Innovation;
-use super::law::{Law, have_one_law};
+use super::law::Law;
 use super::{Undecided, target};
 use crate::filter::StepValues;
 use crate::matrix::Matrix;
@@ -126,7 +126,7 @@ impl<'a> CertifiedFilter<'a> {
             && step.transition.is_some()
             && (self.done > 0 || self.path.initial().before == Before::Transition);
         let law = match self.law.take() {
-            Some((last, alike, law)) if alike == arrives && have_one_law(last, step) => law,
+            Some((last, alike, law)) if alike == arrives && last.differs_in_data_alone(step) => law,
             _ => Law::of(step, timing, arrives),
         };
         let law = &self.law.insert((step, arrives, law)).2;

@@ -170,16 +170,3 @@ impl Law {
         })
     }
 }
-
-/// Whether two steps have the same law: they differ in their readings and inputs alone.
-pub(super) fn have_one_law(one: &Step<Rational>, other: &Step<Rational>) -> bool {
-    let transitions = match (&one.transition, &other.transition) {
-        (Some(a), Some(b)) => a.matrix == b.matrix && a.noise == b.noise && a.cross_noise == b.cross_noise,
-        (None, None) => true,
-        _ => false,
-    };
-    transitions
-        && one.observation == other.observation
-        && one.observation_noise == other.observation_noise
-        && one.reading.present() == other.reading.present()
-}

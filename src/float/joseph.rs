@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::error::Obstacle;
 use super::moments::Moments;
 use super::observed::Observed;
-use super::recursion::{Recursion, Update};
+use super::recursion::{MomentRecursion, Update};
 use super::symmetric::{congruence, with_transpose};
 use super::transition::{Departure, Transition};
 
@@ -20,18 +20,9 @@ use super::transition::{Departure, Transition};
 /// ```
 pub(super) struct Joseph;
 
-impl Recursion for Joseph {
+impl MomentRecursion for Joseph {
     const NAME: &'static str = "joseph";
     const DESCRIPTION: &'static str = "gain by solving with S, covariance (I - KC)P(I - KC)' + KRK'";
-    type Belief = Moments;
-
-    fn start(moments: Moments) -> Result<Moments, Obstacle> {
-        Ok(moments)
-    }
-
-    fn moments(belief: &Moments) -> Result<Moments, Obstacle> {
-        Ok(belief.clone())
-    }
 
     fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle> {
         let Transition { matrix: a, input, noise: q } = transition;

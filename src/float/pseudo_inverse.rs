@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::error::Obstacle;
 use super::moments::Moments;
 use super::observed::Observed;
-use super::recursion::{Recursion, Update};
+use super::recursion::{MomentRecursion, Update};
 use super::short;
 use super::transition::{Departure, Transition};
 
@@ -15,18 +15,9 @@ pub(super) struct PseudoInverse;
 /// Far above the two or three iterations an eigenvalue takes; there so that no input can run for ever.
 const ITERATIONS: usize = 10_000;
 
-impl Recursion for PseudoInverse {
+impl MomentRecursion for PseudoInverse {
     const NAME: &'static str = "pseudo-inverse";
     const DESCRIPTION: &'static str = "S pseudo-inverted by its spectrum, covariance (I - KC)P";
-    type Belief = Moments;
-
-    fn start(moments: Moments) -> Result<Moments, Obstacle> {
-        Ok(moments)
-    }
-
-    fn moments(belief: &Moments) -> Result<Moments, Obstacle> {
-        Ok(belief.clone())
-    }
 
     fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle> {
         Ok(short::predicted(belief, transition))

@@ -42,6 +42,50 @@ pub(super) trait Recursion {
     ) -> Result<Update<Self::Belief>, Obstacle>;
 }
 
+/// A form that carries the moments themselves.
+pub(super) trait MomentRecursion {
+    /// The name: words, joined by hyphens.
+    const NAME: &'static str;
+    /// What it does, in one line.
+    const DESCRIPTION: &'static str;
+
+    /// As [`Recursion::predicted`].
+    fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle>;
+
+    /// As [`Recursion::updated`].
+    fn updated(
+        belief: &Moments,
+        observed: &Observed,
+        departure: Option<&Departure<'_>>,
+    ) -> Result<Update<Moments>, Obstacle>;
+}
+
+impl<R: MomentRecursion> Recursion for R {
+    const NAME: &'static str = <R as MomentRecursion>::NAME;
+    const DESCRIPTION: &'static str = <R as MomentRecursion>::DESCRIPTION;
+    type Belief = Moments;
+
+    fn start(moments: Moments) -> Result<Moments, Obstacle> {
+        Ok(moments)
+    }
+
+    fn moments(belief: &Moments) -> Result<Moments, Obstacle> {
+        Ok(belief.clone())
+    }
+
+    fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle> {
+        <R as MomentRecursion>::predicted(belief, transition)
+    }
+
+    fn updated(
+        belief: &Moments,
+        observed: &Observed,
+        departure: Option<&Departure<'_>>,
+    ) -> Result<Update<Moments>, Obstacle> {
+        <R as MomentRecursion>::updated(belief, observed, departure)
+    }
+}
+
 /// What a reading says.
 pub(super) struct Update<B> {
     /// ν

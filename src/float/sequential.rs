@@ -6,7 +6,7 @@ use super::error::Obstacle;
 use super::moments::Moments;
 use super::observed::Observed;
 use super::rank::{is_rounding, product_of_terms, rounded_off, settled};
-use super::recursion::{Recursion, Update};
+use super::recursion::{MomentRecursion, Update};
 use super::symmetric::{congruence, with_transpose};
 use super::transition::{Departure, Transition};
 
@@ -24,18 +24,9 @@ use super::transition::{Departure, Transition};
 /// last bit, and loses what (I − KC)P loses where a sensor is far better than the prior.
 pub(super) struct Sequential;
 
-impl Recursion for Sequential {
+impl MomentRecursion for Sequential {
     const NAME: &'static str = "sequential";
     const DESCRIPTION: &'static str = "scalar readings one by one after R = LDL', covariance (I - kh)P";
-    type Belief = Moments;
-
-    fn start(moments: Moments) -> Result<Moments, Obstacle> {
-        Ok(moments)
-    }
-
-    fn moments(belief: &Moments) -> Result<Moments, Obstacle> {
-        Ok(belief.clone())
-    }
 
     fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle> {
         let Transition { matrix: a, input, noise: q } = transition;

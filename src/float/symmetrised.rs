@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::error::Obstacle;
 use super::moments::Moments;
 use super::observed::Observed;
-use super::recursion::{Recursion, Update};
+use super::recursion::{MomentRecursion, Update};
 use super::short;
 use super::symmetric::with_transpose;
 use super::transition::{Departure, Transition};
@@ -17,18 +17,9 @@ use super::transition::{Departure, Transition};
 /// cancels is as wrong as before, and may be negative.
 pub(super) struct Symmetrised;
 
-impl Recursion for Symmetrised {
+impl MomentRecursion for Symmetrised {
     const NAME: &'static str = "symmetrised";
     const DESCRIPTION: &'static str = "S inverted by LU, covariance (I - KC)P, then its symmetric part";
-    type Belief = Moments;
-
-    fn start(moments: Moments) -> Result<Moments, Obstacle> {
-        Ok(moments)
-    }
-
-    fn moments(belief: &Moments) -> Result<Moments, Obstacle> {
-        Ok(belief.clone())
-    }
 
     fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle> {
         Ok(symmetric(short::predicted(belief, transition)))

@@ -5,25 +5,16 @@ use nalgebra::DMatrix;
 use super::error::Obstacle;
 use super::moments::Moments;
 use super::observed::Observed;
-use super::recursion::{Recursion, Update};
+use super::recursion::{MomentRecursion, Update};
 use super::short;
 use super::transition::{Departure, Transition};
 
 /// The inverse of S by LU, as `numpy.linalg.inv` has it, and (I − KC)P.
 pub(super) struct Textbook;
 
-impl Recursion for Textbook {
+impl MomentRecursion for Textbook {
     const NAME: &'static str = "textbook";
     const DESCRIPTION: &'static str = "S inverted by LU, covariance (I - KC)P";
-    type Belief = Moments;
-
-    fn start(moments: Moments) -> Result<Moments, Obstacle> {
-        Ok(moments)
-    }
-
-    fn moments(belief: &Moments) -> Result<Moments, Obstacle> {
-        Ok(belief.clone())
-    }
 
     fn predicted(belief: &Moments, transition: &Transition) -> Result<Moments, Obstacle> {
         Ok(short::predicted(belief, transition))

@@ -32,6 +32,23 @@ pub struct Step<T> {
     pub reading: Observation<T>,
 }
 
+impl<T: PartialEq> Step<T> {
+    /// Whether another step has the same law: both differ in their readings and inputs alone.
+    pub(crate) fn differs_in_data_alone(&self, other: &Self) -> bool {
+        let transitions = match (&self.transition, &other.transition) {
+            (Some(own), Some(next)) => {
+                own.matrix == next.matrix && own.noise == next.noise && own.cross_noise == next.cross_noise
+            }
+            (None, None) => true,
+            _ => false,
+        };
+        transitions
+            && self.observation == other.observation
+            && self.observation_noise == other.observation_noise
+            && self.reading.present() == other.reading.present()
+    }
+}
+
 /// A system whose coefficients are frozen at their values along given observations.
 ///
 /// Freezing is exact: given the path, the observations are affine in (x_0, w) with a unit triangular

@@ -44,8 +44,8 @@ fn json_is_valid_and_stable() {
     // The name of the file is not in it.
     let first = check(&cases, &["--format", "json"]);
     assert_eq!(first.stdout, check(&cases, &["--format", "json"]).stdout);
-    let report: Value = serde_json::from_str(&first.stdout).unwrap();
-    let keys = |value: &Value| value.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
+    let report: Value = serde_json::from_str(&first.stdout).expect("a JSON report");
+    let keys = |value: &Value| value.as_object().expect("an object").keys().cloned().collect::<Vec<_>>();
     assert_eq!(
         keys(&report),
         [
@@ -109,8 +109,10 @@ fn only_some_cases() {
 fn without_a_program_it_demonstrates() {
     let arguments = ["check", "--only", "singular", "--format", "json"];
     let out = run(&arguments).quietly(0);
-    let names: Vec<Value> =
-        out.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()["examinee"].clone()).collect();
+    let names: Vec<Value> = out
+        .lines()
+        .map(|line| serde_json::from_str::<Value>(line).expect("JSON on each line")["examinee"].clone())
+        .collect();
     assert_eq!(
         names,
         [
@@ -152,17 +154,22 @@ fn at_most_twenty_findings_unless_all_are_asked_for() {
 
 #[test]
 fn a_closed_pipe_ends_quietly() {
-    let mut child =
-        program(&["check", "--only", "basic/constant"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = program(&["check", "--only", "basic/constant"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
     drop(child.stdout.take());
-    let ran = crate::program::Ran::of(child.wait_with_output().unwrap());
+    let ran = crate::program::Ran::of(child.wait_with_output().expect("the program ends"));
     assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
 }
 
 #[test]
 fn a_full_disk_is_trouble() {
-    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let ran = crate::program::Ran::of(program(&["cases"]).stdout(full).stderr(Stdio::piped()).output().unwrap());
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").expect("a full device");
+    let ran = crate::program::Ran::of(
+        program(&["cases"]).stdout(full).stderr(Stdio::piped()).output().expect("the program runs"),
+    );
     assert!(ran.trouble().contains("cannot write"));
 }
 

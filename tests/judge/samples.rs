@@ -30,7 +30,7 @@ pub(crate) fn of_suite(id: &str) -> Case {
 
 /// A belief in exact numbers and readings that are all missing: the answer is the belief, at every step.
 pub(crate) fn belief(mean: &Value, covariance: &Value, steps: usize) -> Case {
-    let n = mean.as_array().unwrap().len();
+    let n = mean.as_array().expect("a list of numbers").len();
     let unit: Vec<Vec<&str>> = (0..n).map(|i| (0..n).map(|j| if i == j { "1" } else { "0" }).collect()).collect();
     let zero = vec![vec!["0"; n]; n];
     let case = json!({
@@ -40,11 +40,11 @@ pub(crate) fn belief(mean: &Value, covariance: &Value, steps: usize) -> Case {
         "noise": {"process": zero, "observation": [["1"]]},
         "observations": vec![Value::Null; steps],
     });
-    Case::parse(&case.to_string()).unwrap()
+    Case::parse(&case.to_string()).expect("a sound case")
 }
 
 pub(crate) fn path(case: &Case) -> Path<Rational> {
-    case.problem().unwrap().realised().unwrap()
+    case.problem().expect("a sound problem").realised().expect("a sound path")
 }
 
 /// The exact values by conditioning everything at once; by the readable recursion where that would take too long, or
@@ -52,7 +52,7 @@ pub(crate) fn path(case: &Case) -> Path<Rational> {
 pub(crate) fn exact_values(case: &Case) -> Vec<Values<Rational>> {
     let path = path(case);
     if path.initial().diffuse.is_some() || path.steps().len() * path.sensors() > 10 {
-        return filter(&path).unwrap().records.iter().map(exact_kalman::trace::Record::values).collect();
+        return filter(&path).expect("an answer").records.iter().map(exact_kalman::trace::Record::values).collect();
     }
     let law = |values: &mut Values<Rational>,
                names: [Quantity; 2],
@@ -61,7 +61,7 @@ pub(crate) fn exact_values(case: &Case) -> Vec<Values<Rational>> {
         values.insert(names[0], mean.clone());
         values.insert(names[1], covariance.clone());
     };
-    let steps = one_shot(&path).unwrap();
+    let steps = one_shot(&path).expect("an answer");
     steps
         .iter()
         .map(|step| {
@@ -93,12 +93,12 @@ pub(crate) fn exact_answer(case: &Case) -> Answer {
     let values =
         |values: Values<Rational>| values.into_iter().map(|(name, matrix)| (name, matrix.map(short))).collect();
     let steps = exact_values(case).into_iter().map(values).collect();
-    Answer::parse(&Answer::answered(&case.id, steps).to_line()).unwrap()
+    Answer::parse(&Answer::answered(&case.id, steps).to_line()).expect("our own answer")
 }
 
 /// The doubles nearest to the exact answer.
 pub(crate) fn rounded_answer(case: &Case) -> Answer {
-    let number = |value: &Rational| Number::Finite(exact_value(nearest_double(value)).unwrap());
+    let number = |value: &Rational| Number::Finite(exact_value(nearest_double(value)).expect("a finite double"));
     let values =
         |values: Values<Rational>| values.into_iter().map(|(name, matrix)| (name, matrix.map(number))).collect();
     Answer::answered(&case.id, exact_values(case).into_iter().map(values).collect())
@@ -115,7 +115,7 @@ pub(crate) fn add(
     (step, quantity, row, column): (usize, Quantity, usize, usize),
     error: &Rational,
 ) {
-    let entry = &mut answer.steps[step].get_mut(&quantity).unwrap()[(row, column)];
+    let entry = &mut answer.steps[step].get_mut(&quantity).expect("a judged quantity")[(row, column)];
     let Number::Finite(value) = entry else { panic!("finite") };
     *value += error;
 }
@@ -125,5 +125,5 @@ pub(crate) fn judge(case: &Case, answer: Answer) -> Judgement {
 }
 
 pub(crate) fn score(judgement: &Judgement, quantity: Quantity) -> &Score {
-    judgement.scores.iter().find(|score| score.quantity == quantity).unwrap()
+    judgement.scores.iter().find(|score| score.quantity == quantity).expect("a score")
 }

@@ -35,7 +35,7 @@ impl<'a> Laws<'a> {
         timing: Timing,
     ) -> StepLaws<'_> {
         let (observed, new_observed) = match self.observed.take() {
-            Some((last, law)) if differ_in_data_alone(last, step) => (law.of_data(step, timing), false),
+            Some((last, law)) if last.differs_in_data_alone(step) => (law.of_data(step, timing), false),
             _ => (Law::of(step, timing), true),
         };
         let (arriving, new_arriving) = match (self.arriving.take(), transition) {
@@ -57,18 +57,4 @@ impl StepLaws<'_> {
     pub(super) fn predicted<'s>(&self, state: &'s State) -> Cow<'s, State> {
         self.transition.map_or(Cow::Borrowed(state), |law| Cow::Owned(state.propagated(law)))
     }
-}
-
-fn differ_in_data_alone(last: &Step<Rational>, step: &Step<Rational>) -> bool {
-    let same_transition = match (&last.transition, &step.transition) {
-        (Some(last), Some(next)) => {
-            last.cross_noise == next.cross_noise && last.matrix == next.matrix && last.noise == next.noise
-        }
-        (None, None) => true,
-        _ => false,
-    };
-    same_transition
-        && last.observation == step.observation
-        && last.observation_noise == step.observation_noise
-        && last.reading.present() == step.reading.present()
 }
