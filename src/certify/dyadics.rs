@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
+use super::words;
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Rational};
 
@@ -54,20 +55,19 @@ impl Dyadics {
     }
 
     pub(super) fn times(&self, other: &Self) -> Self {
-        Self { mantissas: &self.mantissas * &other.mantissas, exponent: self.exponent + other.exponent }
+        let mantissas = words::product(&self.mantissas, &other.mantissas);
+        Self { mantissas, exponent: self.exponent + other.exponent }
     }
 
     /// `self · middle · selfᵀ` for a symmetric one in the middle.
     pub(super) fn congruence(&self, middle: &Self) -> Self {
-        let half = &self.mantissas * &middle.mantissas;
-        let mantissas = symmetric(self.rows(), |i, j| inner(half.row(i), self.mantissas.row(j)));
+        let mantissas = words::congruence(&self.mantissas, Some(&middle.mantissas));
         Self { mantissas, exponent: 2 * self.exponent + middle.exponent }
     }
 
     /// `self · selfᵀ`
     pub(super) fn square(&self) -> Self {
-        let rows = &self.mantissas;
-        Self { mantissas: symmetric(self.rows(), |i, j| inner(rows.row(i), rows.row(j))), exponent: 2 * self.exponent }
+        Self { mantissas: words::congruence(&self.mantissas, None), exponent: 2 * self.exponent }
     }
 
     pub(super) fn transposed(&self) -> Self {

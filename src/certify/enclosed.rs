@@ -62,14 +62,14 @@ impl Enclosed {
 /// Entries of a symmetric matrix that lies between ± a gap: `|zᵢⱼ| ≤ √(wᵢᵢ wⱼⱼ)`.
 pub(super) fn intervals(matrix: &Dyadics, gap: &Dyadics, bits: u64) -> Matrix<Interval> {
     let diagonal = gap.diagonal();
-    Matrix::from_fn(matrix.rows(), matrix.rows(), |i, j| {
-        let radius = if i == j {
-            diagonal[i].clone()
-        } else {
-            root(&diagonal[i].times(&diagonal[j], BOUND_BITS, Toward::Above))
-        };
+    let roots: Vec<Dyadic> = diagonal.iter().map(root).collect();
+    let entry = |i: usize, j: usize| {
+        let radius =
+            if i == j { diagonal[i].clone() } else { roots[i].times(&roots[j], BOUND_BITS, Toward::Above) };
         around(&matrix.entry(i, j), &radius, bits)
-    })
+    };
+    let below: Vec<Vec<Interval>> = (0..matrix.rows()).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
+    Matrix::from_fn(matrix.rows(), matrix.rows(), |i, j| below[i.max(j)][i.min(j)].clone())
 }
 
 /// Entries of a vector over an odd integer whose error e has `e eᵀ ≤ E`: `|eᵢ| ≤ √Eᵢᵢ`.
@@ -94,15 +94,19 @@ pub(super) fn around(middle: &Dyadic, radius: &Dyadic, bits: u64) -> Interval {
 
 /// An upper bound of the root of a nonnegative number.
 pub(super) fn root(square: &Dyadic) -> Dyadic {
+    let square = square.shortened(2 * BOUND_BITS - 2, Toward::Above);
     let (mantissa, exponent) = square.parts();
-    // An even exponent, and enough bits.
-    let length = i64::try_from(mantissa.bits()).unwrap_or(i64::MAX);
-    let shift = (2 * i64::try_from(BOUND_BITS).unwrap_or(0) - length).max(0);
-    let shift = shift + (exponent - shift).rem_euclid(2);
-    let lifted = mantissa << shift;
-    let root = lifted.sqrt();
-    let root = if &root * &root == lifted { root } else { root + 1_u8 };
-    Dyadic::new(root, (exponent - shift) / 2).shortened(BOUND_BITS, Toward::Above)
+    let short = u128::try_from(mantissa).unwrap_or_default();
+    if short == 0 {
+        return Dyadic::zero();
+    }
+    // An even exponent, and as many bits as there is room for.
+    let shift = i64::from(short.leading_zeros());
+    let shift = shift - (exponent - shift).rem_euclid(2);
+    let lifted = short << shift;
+    let root = lifted.isqrt();
+    let root = root + u128::from(root * root != lifted);
+    Dyadic::new(root.into(), (exponent - shift) / 2)
 }
 
 /// A diagonal matrix.

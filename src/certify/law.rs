@@ -157,7 +157,7 @@ impl Law {
     pub(super) fn data(&self, step: &Step<Rational>, arrives: bool) -> Result<Data, Undecided> {
         let mut seen = self.readings.seen(step)?;
         let input = step.transition.as_ref().map(|transition| &transition.input);
-        if let Some(input) = input.filter(|_| arrives) {
+        if let Some(input) = input.filter(|input| arrives && !input.is_zero()) {
             seen = seen - step.observation.select_rows(&self.readings.kept) * input;
         }
         let entries = seen.entries().iter().chain(input.into_iter().flat_map(Matrix::entries));

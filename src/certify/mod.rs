@@ -15,6 +15,7 @@ mod readings;
 mod target;
 mod tiers;
 mod whitening;
+mod words;
 
 pub use filter::{CertifiedFilter, CertifiedStep};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
