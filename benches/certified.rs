@@ -52,14 +52,17 @@ fn steps(criterion: &mut Criterion) {
                 });
             }
             for bits in [128, 256] {
-                group.bench_function(BenchmarkId::new(format!("certified, {bits} bits"), format!("n = {n}")), |bencher| {
-                    bencher.iter(|| {
-                        let filter = CertifiedFilter::new(black_box(&path), bits);
-                        for step in filter {
-                            black_box(step.expect("regular innovations"));
-                        }
-                    });
-                });
+                group.bench_function(
+                    BenchmarkId::new(format!("certified, {bits} bits"), format!("n = {n}")),
+                    |bencher| {
+                        bencher.iter(|| {
+                            let filter = CertifiedFilter::new(black_box(&path), bits);
+                            for step in filter {
+                                black_box(step.expect("regular innovations"));
+                            }
+                        });
+                    },
+                );
             }
         }
         group.finish();

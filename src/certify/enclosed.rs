@@ -64,8 +64,7 @@ pub(super) fn intervals(matrix: &Dyadics, gap: &Dyadics, bits: u64) -> Matrix<In
     let diagonal = gap.diagonal();
     let roots: Vec<Dyadic> = diagonal.iter().map(root).collect();
     let entry = |i: usize, j: usize| {
-        let radius =
-            if i == j { diagonal[i].clone() } else { roots[i].times(&roots[j], BOUND_BITS, Toward::Above) };
+        let radius = if i == j { diagonal[i].clone() } else { roots[i].times(&roots[j], BOUND_BITS, Toward::Above) };
         around(&matrix.entry(i, j), &radius, bits)
     };
     let below: Vec<Vec<Interval>> = (0..matrix.rows()).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();

@@ -24,6 +24,7 @@ mod quadrature;
 mod random_modes;
 mod rational_routes;
 mod residues;
+mod squares;
 mod systems;
 mod timing;
 mod tower;

@@ -61,7 +61,7 @@ pub(super) const CASES: [(Category, Cases); 28] = [
     category("poles", "a ladder of poles that are nearly equal, and modes that are nearly told apart", poles::cases),
     category("collinear", "a ladder of sensors that read nearly the same", collinear::cases),
     category("prior", "initial covariances that are nearly singular, or of low rank", prior::cases),
-    category("long", "hundreds of steps of small models, whose errors have time to pile up", long::cases),
+    category("long", "hundreds and thousands of steps of small models, whose errors have time to pile up", long::cases),
     category("large", "a dozen states and more", large::cases),
     category("singular", "innovations whose covariance is singular, with data that fit", singular::cases),
     category("contradiction", "data that the model says are impossible", contradiction::cases),

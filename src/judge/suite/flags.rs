@@ -110,7 +110,7 @@ const FLAGS: [Flag; 22] = [
     ),
     flagged(
         "long",
-        "hundreds of steps",
+        "hundreds of steps and more",
         "a failure lets errors pile up, or stops updating the covariance",
         "embedded filters that run for days",
     ),

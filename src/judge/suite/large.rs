@@ -55,5 +55,21 @@ pub(super) fn cases(draw: Draw) -> Vec<Case> {
                 }),
             )
             .reading(draw.several(6, 304, 5, 3000)),
+        Draft::new("large/chain-of-thirty", "thirty states in a chain, read at both ends", &FLAGS)
+            .starting(&zeros(30), &multiple(30, "1"))
+            .transition(&chain(30, "0.5", "0.3"))
+            .observation(&ends(30))
+            .noise(&multiple(30, "0.1"), "0.5 0; 0 1")
+            .reading(draw.pairs(334, 8)),
+        Draft::new(
+            "large/long-chain-of-twelve",
+            "twelve states in a chain, read at both ends, for sixty steps",
+            &FLAGS,
+        )
+        .starting(&zeros(12), &multiple(12, "1"))
+        .transition(&chain(12, "0.5", "0.4"))
+        .observation(&ends(12))
+        .noise(&multiple(12, "0.1"), "0.5 0; 0 1")
+        .reading(draw.pairs(335, 60)),
     ]
 }
