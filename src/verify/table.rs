@@ -143,6 +143,20 @@ impl Table {
         self.times(&self.transposed())
     }
 
+    /// Both side by side.
+    pub(super) fn beside(&self, right: &Self) -> Self {
+        let padded = |table: &Self, before: usize| {
+            let columns = self.columns + right.columns;
+            let entry = |place: usize| match (place % columns).checked_sub(before) {
+                Some(column) if column < table.columns => table.at(place / columns, column).clone(),
+                _ => BigInt::zero(),
+            };
+            let entries = (0..table.rows * columns).map(entry).collect();
+            Self { columns, entries, denominator: table.denominator.clone(), ..*table }
+        };
+        padded(self, 0).plus(&padded(right, self.columns))
+    }
+
     /// The multiple by a number.
     pub(super) fn scaled(&self, factor: &Self) -> Self {
         let scaled = self.map(|entry| entry * factor.at(0, 0));
