@@ -32,6 +32,7 @@ mod spec;
 mod stability;
 mod steps;
 mod verify;
+mod verify_steady;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

@@ -4,14 +4,17 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 
+use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::Format;
 use super::exit::{Exit, Trouble};
-use super::input;
 use super::proved_interval::{shown, shown_matrix};
-use crate::protocol::Case;
-use crate::verify::{Belief, Condition, FilterCertificate, MAXIMAL_LINE_BYTES, ProvedStep, Rejection, VerifyError};
+use super::{input, verify_steady};
+use crate::protocol::{Case, SteadyModel};
+use crate::verify::{
+    Belief, Condition, FilterCertificate, FilterFormat, MAXIMAL_LINE_BYTES, ProvedStep, Rejection, VerifyError,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -19,9 +22,9 @@ Examples:
   exact-kalman verify nile.certificate --last
   exact-kalman verify nile.certificate --case examples/cases/nile.json
 
-The checker shares no code with what makes certificates, computes with integers alone, and needs as much memory
-for a million steps as for one. The format and the inequalities are described in docs/CERTIFICATES.md. Exit codes: 0 verified,
-1 rejected, 2 trouble with a file";
+The checker shares no code with what makes certificates, computes with integers alone, and needs as
+much memory for a million steps as for one. The format and the inequalities are described in
+docs/CERTIFICATES.md. Exit codes: 0 verified, 1 rejected, 2 trouble with a file";
 
 /// Check a certificate: every number in it is proved, or it is rejected
 #[derive(clap::Args, Debug)]
@@ -41,6 +44,12 @@ pub(super) struct Verify {
     /// How to print the verdict; JSON is one object on one line.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+}
+
+/// The member that tells the certificate of a filter; the others are left alone.
+#[derive(Deserialize)]
+struct Kind {
+    certificate: FilterFormat,
 }
 
 /// What is verified: lines of text, and members of JSON.
@@ -111,7 +120,20 @@ impl Verify {
         let mut first = Vec::new();
         let most = u64::try_from(MAXIMAL_LINE_BYTES).unwrap_or(u64::MAX);
         reader.by_ref().take(most + 1).read_until(b'\n', &mut first).map_err(input)?;
-        self.of_filter(io::Cursor::new(first).chain(reader), &place)
+        if matches!(serde_json::from_slice(&first), Ok(Kind { certificate: FilterFormat::One })) {
+            return self.of_filter(io::Cursor::new(first).chain(reader), &place);
+        }
+        let mut document = first;
+        reader.take(most).read_to_end(&mut document).map_err(input)?;
+        if document.len() > MAXIMAL_LINE_BYTES {
+            return Err(rejected(Condition::Document, format!("it has more than {MAXIMAL_LINE_BYTES} bytes")));
+        }
+        let document = String::from_utf8(document).map_err(|error| rejected(Condition::Document, error.to_string()))?;
+        let given = self.case.as_ref().map(|file| {
+            let refused = |source| Trouble::Question { place: file.display().to_string(), source };
+            SteadyModel::parse(&input::text(file)?).map_err(refused)
+        });
+        verify_steady::verified(&document, given.transpose()?.as_ref(), self.digits)
     }
 
     fn of_filter(&self, reader: impl BufRead, place: &str) -> Result<Verified, Failed> {

@@ -49,7 +49,10 @@ fn lines_are_checked_one_by_one() {
         verified(&joined(&lines)).expect_err("something was changed")
     };
     assert_eq!(changed(&|lines| lines.swap(2, 3)), (Some(3), Condition::Order));
-    assert_eq!(changed(&|lines| drop(lines.remove(2))), (Some(3), Condition::Order));
+    assert_eq!(
+        changed(&|lines| lines.retain(|line| *line != text.lines().nth(2).unwrap_or_default())),
+        (Some(3), Condition::Order)
+    );
     assert_eq!(changed(&|lines| lines.insert(2, lines[2])), (Some(4), Condition::Order));
     assert_eq!(changed(&|lines| lines.truncate(5)), (Some(6), Condition::Document));
     assert_eq!(changed(&|lines| lines.truncate(4)), (Some(5), Condition::Document));
@@ -57,7 +60,7 @@ fn lines_are_checked_one_by_one() {
     assert_eq!(changed(&|lines| lines.push(lines[5])), (Some(7), Condition::Document));
     assert_eq!(changed(&|lines| lines.insert(1, "")), (Some(2), Condition::Document));
     assert_eq!(changed(&|lines| lines.clear()), (Some(1), Condition::Document));
-    assert_eq!(changed(&|lines| drop(lines.remove(0))), (Some(1), Condition::Document));
+    assert_eq!(changed(&|lines| lines.rotate_left(1)), (Some(1), Condition::Document));
 }
 
 /// Every byte replaced by some others: rejected, but for what JSON does not mind, which the digest sees.

@@ -4,8 +4,7 @@ use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Observation, Step, Timing, Transition};
 use exact_kalman::scalar::{Rational, ratio};
 use exact_kalman::verify::{
-    Condition, DyadicNumber, Hexadecimal, ProvedSteady, RationalRows, Stabilising, SteadyDocument, SteadyEvidence,
-    check_steady,
+    Condition, DyadicNumber, ProvedSteady, RationalRows, Stabilising, SteadyDocument, SteadyEvidence, check_steady,
 };
 
 use super::models::Q;
