@@ -5,6 +5,8 @@
 //! point is trusted, and no inverse of P is taken, so P may be singular.
 
 mod accuracy;
+#[cfg(feature = "judge")]
+mod certificate;
 mod dyadics;
 mod enclosed;
 mod filter;

@@ -3,6 +3,7 @@
 //! stdout is data, stderr is talk. A verb is a file of its own, with its arguments and what it does.
 
 mod cases;
+mod certificate;
 mod check;
 mod declared;
 mod effort;
@@ -21,6 +22,7 @@ mod parallel;
 mod price;
 mod progress;
 mod proved;
+mod proved_interval;
 mod reporting;
 mod reproduce;
 mod rest;
@@ -29,6 +31,8 @@ mod solve;
 mod spec;
 mod stability;
 mod steps;
+mod verify;
+mod verify_steady;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -68,6 +72,7 @@ enum Verb {
     Identify(identify::Identify),
     Stability(stability::Stability),
     Reproduce(reproduce::Reproduce),
+    Verify(verify::Verify),
 }
 
 /// How results are printed.
@@ -101,6 +106,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Identify(verb) => verb.run(),
         Verb::Stability(verb) => verb.run(),
         Verb::Reproduce(verb) => verb.run(),
+        Verb::Verify(verb) => verb.run(),
     };
     match outcome {
         Ok(exit) => exit.into(),

@@ -20,6 +20,7 @@ mod path;
 mod realise;
 mod system;
 mod timing;
+mod unified;
 
 pub use ahead::PathAhead;
 pub use coefficient::{Coefficient, Past};
@@ -29,3 +30,4 @@ pub use initial::{Before, Initial};
 pub use observation::Observation;
 pub use path::{Path, Step, Transition};
 pub use system::{Input, Noise, System, Timing};
+pub use unified::UnifiedStep;

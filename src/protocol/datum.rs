@@ -22,6 +22,12 @@ impl Datum {
     }
 }
 
+impl From<&str> for Datum {
+    fn from(text: &str) -> Self {
+        Self(text.to_owned())
+    }
+}
+
 impl<'de> Deserialize<'de> for Datum {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(DatumVisitor)

@@ -22,3 +22,4 @@ mod solve;
 mod spec;
 mod stability;
 mod verdicts;
+mod verify;
