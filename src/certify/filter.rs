@@ -1,5 +1,7 @@
 //! The filter whose results are enclosed.
 
+use super::ahead::Ahead;
+use super::derived::{Asked, Derived};
 use super::enclosed::Enclosed;
 use super::grid::BOUND_BITS;
 use super::innovation::Innovation;
@@ -7,17 +9,19 @@ use super::law::{Law, have_one_law};
 use super::{Undecided, target};
 use crate::filter::StepValues;
 use crate::matrix::Matrix;
-use crate::model::{Before, Path, Step, Timing};
+use crate::model::{Before, Path, PathAhead, Step, Timing};
 use crate::scalar::{Dyadic, Interval, Rational, Scalar as _, Toward};
 use crate::trace::{Quantity, Values};
 
 /// The results of one step: each entry lies in its interval.
 #[derive(Clone, Debug)]
 pub struct CertifiedStep {
-    /// The named values, all but the gain.
+    /// The named values; the gain and the log likelihood only if they are [asked for](CertifiedFilter::everything).
     pub values: Values<Interval>,
     /// The rank of the innovation covariance, exactly.
     pub innovation_rank: usize,
+    /// What else is asked for.
+    pub derived: Derived,
 }
 
 impl CertifiedStep {
@@ -98,6 +102,8 @@ pub struct CertifiedFilter<'a> {
     belief: Option<Enclosed>,
     law: Option<(&'a Step<Rational>, bool, Law)>,
     done: usize,
+    asked: Option<Asked>,
+    ahead: Option<Ahead<'a>>,
 }
 
 impl<'a> CertifiedFilter<'a> {
@@ -106,7 +112,7 @@ impl<'a> CertifiedFilter<'a> {
         let initial = path.initial();
         let is_diffuse = initial.diffuse.iter().any(|part| !part.is_zero());
         let belief = (!is_diffuse).then(|| Enclosed::of(&initial.mean, &initial.covariance, bits));
-        Self { path, bits, belief, law: None, done: 0 }
+        Self { path, bits, belief, law: None, done: 0, asked: None, ahead: None }
     }
 
     /// The filter in the middle of a path, before the step with this number, from the exact law of the state with which that
@@ -117,7 +123,20 @@ impl<'a> CertifiedFilter<'a> {
         (mean, covariance): (&Matrix<Rational>, &Matrix<Rational>),
         bits: u64,
     ) -> Self {
-        Self { path, bits, belief: Some(Enclosed::of(mean, covariance, bits)), law: None, done }
+        Self { belief: Some(Enclosed::of(mean, covariance, bits)), done, ..Self::new(path, bits) }
+    }
+
+    /// The same filter, of whose steps everything is wanted: also the gain, the covariance of state and reading, and the
+    /// likelihood.
+    #[must_use]
+    pub fn everything(self) -> Self {
+        Self { asked: Asked::new(self.bits), ..self }
+    }
+
+    /// The same filter along the path of a predictor, which encloses the laws of the next states too.
+    #[must_use]
+    pub fn ahead(self, path: &'a PathAhead<Rational>) -> Self {
+        Self { ahead: Some(Ahead::new(path)), ..self }
     }
 
     fn advance(&mut self, step: &'a Step<Rational>, belief: &Enclosed) -> Result<(CertifiedStep, Enclosed), Undecided> {
@@ -139,6 +158,7 @@ impl<'a> CertifiedFilter<'a> {
         let predicted = law.predicted.as_ref().map(|arriving| target::moved(belief, law, &data, arriving, bits));
         insert(Quantity::PredictedMean, Quantity::PredictedCovariance, predicted.as_ref().unwrap_or(belief));
         let is_read = law.observation.rows() > 0;
+        let mut derived = Derived::default();
         let (filtered, ahead) = if is_read {
             let innovation = Innovation::of(belief, law, &data, bits)?;
             let updated = |target| target::updated(belief, law, &data, target, &innovation, bits);
@@ -146,6 +166,9 @@ impl<'a> CertifiedFilter<'a> {
             let value = innovation.value_intervals(belief, law, &data, bits);
             let covariance = innovation.covariance_intervals(belief, law, bits);
             let (value, covariance) = law.readings.all(value, covariance, bits + BOUND_BITS);
+            if let Some(asked) = &mut self.asked {
+                derived = asked.of(belief, law, &data, &innovation, step, &value);
+            }
             insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
             values.insert(Quantity::Innovation, value);
             values.insert(Quantity::InnovationCovariance, covariance);
@@ -161,9 +184,17 @@ impl<'a> CertifiedFilter<'a> {
                 values.insert(Quantity::Innovation, value);
                 values.insert(Quantity::InnovationCovariance, covariance);
             }
+            if let Some(asked) = &mut self.asked {
+                derived = asked.of_nothing(step);
+            }
             targets
         };
-        Ok((CertifiedStep { values, innovation_rank: law.readings.kept.len() }, ahead.unwrap_or(filtered)))
+        if let Some(predictor) = &mut self.ahead {
+            derived.ahead = predictor.laws(self.done + 1, &filtered, ahead.as_ref(), bits);
+        }
+        derived.name_into(&mut values);
+        let step = CertifiedStep { values, innovation_rank: law.readings.kept.len(), derived };
+        Ok((step, ahead.unwrap_or(filtered)))
     }
 }
 

@@ -5,18 +5,24 @@
 //! point is trusted, and no inverse of P is taken, so P may be singular.
 
 mod accuracy;
+mod ahead;
+mod derived;
 mod dyadics;
 mod enclosed;
 mod filter;
+mod gain;
 mod grid;
 mod innovation;
 mod law;
+mod likelihood;
 mod readings;
 mod target;
 mod tiers;
 mod whitening;
 
+pub use derived::Derived;
 pub use filter::{CertifiedFilter, CertifiedStep};
+pub use likelihood::EnclosedLikelihood;
 pub use tiers::{TieredFilter, TieredStep, Tiers};
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.
