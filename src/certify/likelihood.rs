@@ -68,13 +68,7 @@ impl Likelihoods {
         parts.map(|parts| EnclosedLikelihood { sum: self.sum.clone(), ..parts })
     }
 
-    fn parts(
-        &self,
-        belief: &Enclosed,
-        law: &Law,
-        data: &Data,
-        innovation: &Innovation,
-    ) -> Option<EnclosedLikelihood> {
+    fn parts(&self, belief: &Enclosed, law: &Law, data: &Data, innovation: &Innovation) -> Option<EnclosedLikelihood> {
         let quadratic = quadratic(belief, law, data, innovation, self.bits);
         let determinant = determinant(law, innovation, self.bits)?;
         // w/κ

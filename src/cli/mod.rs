@@ -6,6 +6,7 @@ mod cases;
 mod check;
 mod declared;
 mod effort;
+mod enclosed;
 mod estimate;
 mod exit;
 mod explain;
@@ -29,6 +30,7 @@ mod solve;
 mod spec;
 mod stability;
 mod steps;
+mod tier;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
