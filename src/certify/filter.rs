@@ -1,5 +1,7 @@
 //! The filter whose results are enclosed.
 
+use super::ahead::Ahead;
+use super::derived::{Asked, Derived};
 use super::enclosed::Enclosed;
 use super::grid::BOUND_BITS;
 use super::innovation::Innovation;
@@ -7,17 +9,19 @@ use super::law::Law;
 use super::{Undecided, target};
 use crate::filter::StepValues;
 use crate::matrix::Matrix;
-use crate::model::{Before, Path, Step, Timing};
+use crate::model::{Before, Path, PathAhead, Step, Timing};
 use crate::scalar::{Dyadic, Interval, Rational, Scalar as _, Toward};
 use crate::trace::{Quantity, Values};
 
 /// The results of one step: each entry lies in its interval.
 #[derive(Clone, Debug)]
 pub struct CertifiedStep {
-    /// The named values, all but the gain.
+    /// The named values; the gain and the log likelihood only if they are [asked for](CertifiedFilter::everything).
     pub values: Values<Interval>,
     /// The rank of the innovation covariance, exactly.
     pub innovation_rank: usize,
+    /// What else is asked for.
+    pub derived: Derived,
 }
 
 impl CertifiedStep {
@@ -98,6 +102,8 @@ pub struct CertifiedFilter<'a> {
     pub(super) belief: Option<Enclosed>,
     law: Option<(&'a Step<Rational>, bool, Law)>,
     done: usize,
+    asked: Option<Asked>,
+    ahead: Option<Ahead<'a>>,
     #[cfg(feature = "judge")]
     pub(super) witness: super::certificate::Witness,
 }
@@ -114,6 +120,8 @@ impl<'a> CertifiedFilter<'a> {
             belief,
             law: None,
             done: 0,
+            asked: None,
+            ahead: None,
             #[cfg(feature = "judge")]
             witness: super::certificate::Witness::default(),
         }
@@ -128,6 +136,19 @@ impl<'a> CertifiedFilter<'a> {
         bits: u64,
     ) -> Self {
         Self { belief: Some(Enclosed::of(mean, covariance, bits)), done, ..Self::new(path, bits) }
+    }
+
+    /// The same filter, of whose steps everything is wanted: also the gain, the covariance of state and reading, and the
+    /// likelihood.
+    #[must_use]
+    pub fn everything(self) -> Self {
+        Self { asked: Asked::new(self.bits), ..self }
+    }
+
+    /// The same filter along the path of a predictor, which encloses the laws of the next states too.
+    #[must_use]
+    pub fn ahead(self, path: &'a PathAhead<Rational>) -> Self {
+        Self { ahead: Some(Ahead::new(path)), ..self }
     }
 
     fn advance(&mut self, step: &'a Step<Rational>, belief: &Enclosed) -> Result<(CertifiedStep, Enclosed), Undecided> {
@@ -149,6 +170,7 @@ impl<'a> CertifiedFilter<'a> {
         let predicted = law.predicted.as_ref().map(|arriving| target::moved(belief, law, &data, arriving, bits));
         insert(Quantity::PredictedMean, Quantity::PredictedCovariance, predicted.as_ref().unwrap_or(belief));
         let is_read = law.observation.rows() > 0;
+        let mut derived = Derived::default();
         let (filtered, ahead) = if is_read {
             let innovation = Innovation::of(belief, law, &data, bits)?;
             let updated = |target| target::updated(belief, law, &data, target, &innovation, bits);
@@ -156,6 +178,9 @@ impl<'a> CertifiedFilter<'a> {
             let value = innovation.value_intervals(belief, law, &data, bits);
             let covariance = innovation.covariance_intervals(belief, law, bits);
             let (value, covariance) = law.readings.all(value, covariance, bits + BOUND_BITS);
+            if let Some(asked) = &mut self.asked {
+                derived = asked.of(belief, law, &data, &innovation, step, &value);
+            }
             insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
             values.insert(Quantity::Innovation, value);
             values.insert(Quantity::InnovationCovariance, covariance);
@@ -173,11 +198,19 @@ impl<'a> CertifiedFilter<'a> {
                 values.insert(Quantity::Innovation, value);
                 values.insert(Quantity::InnovationCovariance, covariance);
             }
+            if let Some(asked) = &mut self.asked {
+                derived = asked.of_nothing(step);
+            }
             targets
         };
+        if let Some(predictor) = &mut self.ahead {
+            derived.ahead = predictor.laws(self.done + 1, &filtered, ahead.as_ref(), bits);
+        }
+        derived.name_into(&mut values);
         #[cfg(feature = "judge")]
         self.witness.hold(self.done, &law.readings, predicted, &filtered, ahead.as_ref());
-        Ok((CertifiedStep { values, innovation_rank: law.readings.kept.len() }, ahead.unwrap_or(filtered)))
+        let step = CertifiedStep { values, innovation_rank: law.readings.kept.len(), derived };
+        Ok((step, ahead.unwrap_or(filtered)))
     }
 }
 

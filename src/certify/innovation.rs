@@ -110,6 +110,16 @@ impl Innovation {
     }
 }
 
+/// All numbers within a radius of `middle / divisor`.
+pub(super) fn about(middle: &Dyadic, divisor: &BigInt, radius: &Dyadic, bits: u64) -> Interval {
+    let (divisor, bits) = (whole(divisor), bits + BOUND_BITS);
+    let end = |toward| middle.over(&divisor, bits, toward).unwrap_or_else(Dyadic::zero);
+    Interval::between(
+        end(Toward::Below).plus(&radius.negated(), bits, Toward::Below),
+        end(Toward::Above).plus(radius, bits, Toward::Above),
+    )
+}
+
 fn whole(integer: &BigInt) -> Dyadic {
     Dyadic::new(integer.clone(), 0)
 }

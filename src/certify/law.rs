@@ -117,6 +117,29 @@ impl Law {
         Self { readings, ..law }
     }
 
+    /// A transition alone: nothing is read.
+    pub(super) fn of_transition(transition: &Transition<Rational>) -> Self {
+        let n = transition.matrix.rows();
+        let moves = Exact {
+            map: Some(transition.matrix.clone()),
+            noise: transition.noise.clone(),
+            cross: Matrix::zeros(n, 0),
+            input: Input::Transition,
+        };
+        Self::over(&Matrix::zeros(0, transition.matrix.columns()), &Matrix::zeros(0, 0), None, &moves, None)
+    }
+
+    /// The input of a transition with this law.
+    pub(super) fn input(&self, transition: &Transition<Rational>) -> Data {
+        let odd = odd_denominator(self.odd.clone(), transition.input.entries());
+        Data {
+            seen: Dyadics::of(&Matrix::zeros(0, 1), &odd),
+            input: Some(Dyadics::of(&transition.input, &odd)),
+            lift: odd.div_floor(&self.odd),
+            odd,
+        }
+    }
+
     fn over(
         observation: &Matrix<Rational>,
         noise: &Matrix<Rational>,

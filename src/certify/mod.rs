@@ -5,21 +5,33 @@
 //! point is trusted, and no inverse of P is taken, so P may be singular.
 
 mod accuracy;
+mod ahead;
 #[cfg(feature = "judge")]
 mod certificate;
+mod derived;
+mod digits;
 mod dyadics;
 mod enclosed;
 mod filter;
+mod gain;
 mod grid;
+mod growth;
 mod innovation;
 mod law;
+mod likelihood;
+mod raised;
 mod readings;
 mod target;
 mod tiers;
 mod whitening;
 mod words;
 
+pub use derived::Derived;
+pub use digits::Digits;
 pub use filter::{CertifiedFilter, CertifiedStep};
+pub use growth::Growth;
+pub use likelihood::EnclosedLikelihood;
+pub use raised::{RaisedFilter, Short};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.

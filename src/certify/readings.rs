@@ -64,17 +64,41 @@ impl Readings {
         bits: u64,
     ) -> (Matrix<Interval>, Matrix<Interval>) {
         let Some(combination) = &self.combination else { return (innovation, covariance) };
-        let image = |right: &Matrix<Interval>| {
-            Matrix::from_fn(combination.rows(), right.columns(), |i, j| {
-                let terms = (0..right.rows()).filter(|&k| combination[(i, k)] != Rational::zero());
-                let term = |k: usize| match &combination[(i, k)] {
-                    one if *one == Rational::one() => right[(k, j)].clone(),
-                    other => right[(k, j)].times(&Interval::of(other, bits), bits),
-                };
-                terms.map(term).reduce(|sum, term| sum.plus(&term, bits)).unwrap_or_else(Interval::zero)
-            })
-        };
+        let image = |right: &Matrix<Interval>| product(combination, right, bits);
         let half = image(&covariance).transpose();
         (image(&innovation), image(&half))
     }
+
+    /// The covariances of a state with all entries, from those with the entries that are used: `Γ Lᵀ`.
+    pub(super) fn cross(&self, kept: Matrix<Interval>, bits: u64) -> Matrix<Interval> {
+        let Some(combination) = &self.combination else { return kept };
+        product(combination, &kept.transpose(), bits).transpose()
+    }
+
+    /// The gain with the pseudo-inverse of the covariance of all entries, from that of the entries that are used: `K L⁺`, since
+    /// `(LSLᵀ)⁺ = L (LᵀL)⁻¹ S⁻¹ (LᵀL)⁻¹ Lᵀ` for an L of full column rank.
+    pub(super) fn gain(&self, kept: Matrix<Interval>, bits: u64) -> Matrix<Interval> {
+        let Some(combination) = &self.combination else { return kept };
+        let square = combination.transpose() * combination;
+        let Ok(inverse) = square.pseudo_inverse() else { return kept };
+        product(&(combination * inverse), &kept.transpose(), bits).transpose()
+    }
+
+    /// `det LᵀL`, by which the product of the eigenvalues of `LSLᵀ` that are not zero exceeds det S; nothing where it is one.
+    pub(super) fn determinant(&self) -> Option<Rational> {
+        let combination = self.combination.as_ref()?;
+        (combination.transpose() * combination).determinant().ok()
+    }
+}
+
+/// Fractions times enclosed numbers.
+fn product(left: &Matrix<Rational>, right: &Matrix<Interval>, bits: u64) -> Matrix<Interval> {
+    Matrix::from_fn(left.rows(), right.columns(), |i, j| {
+        let terms = (0..right.rows()).filter(|&k| left[(i, k)] != Rational::zero());
+        let term = |k: usize| match &left[(i, k)] {
+            one if *one == Rational::one() => right[(k, j)].clone(),
+            other => right[(k, j)].times(&Interval::of(other, bits), bits),
+        };
+        terms.map(term).reduce(|sum, term| sum.plus(&term, bits)).unwrap_or_else(Interval::zero)
+    })
 }

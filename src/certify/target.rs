@@ -29,22 +29,22 @@ const GAP_BITS: u64 = 40;
 const GUARD: u64 = 16;
 
 /// A, as integers over e.
-struct Map<'l> {
+pub(super) struct Map<'l> {
     /// Nothing for the identity.
-    matrix: Option<&'l Dyadics>,
-    odd: &'l BigInt,
+    pub(super) matrix: Option<&'l Dyadics>,
+    pub(super) odd: &'l BigInt,
 }
 
 impl Map<'_> {
-    fn times(&self, right: &Dyadics) -> Dyadics {
+    pub(super) fn times(&self, right: &Dyadics) -> Dyadics {
         self.matrix.map_or_else(|| right.scaled(self.odd), |matrix| matrix.times(right))
     }
 
-    fn congruence(&self, middle: &Dyadics) -> Dyadics {
+    pub(super) fn congruence(&self, middle: &Dyadics) -> Dyadics {
         self.matrix.map_or_else(|| middle.scaled(&(self.odd * self.odd)), |matrix| matrix.congruence(middle))
     }
 
-    fn less(&self, other: &Dyadics) -> Dyadics {
+    pub(super) fn less(&self, other: &Dyadics) -> Dyadics {
         match self.matrix {
             Some(matrix) => matrix.minus(other),
             None => Dyadics { mantissas: Matrix::identity(other.rows()), exponent: 0 }.scaled(self.odd).minus(other),
@@ -117,7 +117,7 @@ fn with_input(mean: Dyadics, target: &Target, data: &Data) -> Dyadics {
 }
 
 /// K̃ ≈ Γ̃Σ̃⁻¹ ≈ Γ̃TᵀT, each entry to so many bits of what a deviation of its reading does to its state. Any gain would do.
-fn gain(gamma: &Dyadics, prior: &Dyadics, innovation: &Innovation, odd: &BigInt, bits: u64) -> Dyadics {
+pub(super) fn gain(gamma: &Dyadics, prior: &Dyadics, innovation: &Innovation, odd: &BigInt, bits: u64) -> Dyadics {
     let t = &innovation.whitening;
     let exact = gamma.times(&t.transposed()).times(t);
     let rows: Vec<i64> = over_each(prior.diagonal(), odd).iter().map(|v| scale(v).unwrap_or(0)).collect();

@@ -2,8 +2,9 @@
 
 use std::iter::Skip;
 
-use super::CertifiedFilter;
+use super::digits::{Standing, bits_for};
 use super::filter::CertifiedStep;
+use super::{CertifiedFilter, Undecided};
 use crate::filter::{Effort, RationalFilter, RationalStep, StepValues, StopReason};
 use crate::matrix::{Fractions, Matrix};
 use crate::model::{Path, Timing};
@@ -62,6 +63,8 @@ pub struct TieredFilter<'a> {
     patient_until: usize,
     /// After an error there is nothing more.
     ended: bool,
+    /// The decimal digits that each entry of an enclosed step must prove, if it is to be printed.
+    digits: Option<u32>,
 }
 
 /// Beyond this power of two, up or down, no double lies by far, and fractions take too much memory.
@@ -85,7 +88,22 @@ impl<'a> TieredFilter<'a> {
             patience: 1,
             patient_until: 0,
             ended: false,
+            digits: None,
         }
+    }
+
+    /// The filter for numbers that are printed: steps are enclosed where so many decimal digits of every entry are proved, else
+    /// exact. Its numbers are of any size.
+    pub fn to_digits(path: &'a Path<Rational>, digits: u32, most_bits: u64, maximal_bits: Option<u64>) -> Self {
+        let bits = bits_for(digits).min(most_bits);
+        let exact_bits = (4 * bits).max(Tiers::default().exact_bits);
+        let tiers = Tiers { exact_bits, bits, most_bits, accuracy: 0, maximal_bits };
+        Self { digits: Some(digits), ..Self::new(path, tiers) }
+    }
+
+    /// The length of the numbers of the last step: denominators, or the bits of enclosures.
+    pub fn bits(&self) -> u64 {
+        if self.certified.is_some() { self.bits } else { self.exact.bits() }
     }
 
     /// The next step by exact numbers, those of the steps that were enclosed made up for; what it hands on begins the next
@@ -100,7 +118,7 @@ impl<'a> TieredFilter<'a> {
             self.exact_steps += 1;
         }
         let step = last?;
-        if let Some(bits) = magnitude(&step).filter(|bits| *bits > FARTHEST) {
+        if let Some(bits) = magnitude(&step).filter(|bits| *bits > FARTHEST && self.digits.is_none()) {
             return Some(Err(StopReason::TooLong { bits, limit: FARTHEST }));
         }
         if self.exact.bits() > self.tiers.exact_bits && self.done + 1 >= self.patient_until {
@@ -142,20 +160,48 @@ impl Iterator for TieredFilter<'_> {
     }
 }
 
+/// What came of an enclosed step.
+enum Found {
+    Enough(Box<CertifiedStep>),
+    /// Undecided at this step, or at one that was passed over, or not accurate.
+    Short,
+    /// More bits would not help: it takes exact numbers.
+    Tied,
+    /// Numbers as far from one as this power of two.
+    TooFar(u64),
+}
+
 impl TieredFilter<'_> {
+    fn found(&self, next: Option<Result<CertifiedStep, Undecided>>) -> Found {
+        let Some(Ok(step)) = next else { return Found::Short };
+        if step.accuracy().is_some_and(|bits| bits < self.tiers.accuracy) {
+            return Found::Short;
+        }
+        if let Some(bits) = step.magnitude().filter(|bits| *bits > FARTHEST) {
+            return Found::TooFar(bits);
+        }
+        match self.digits.map(|digits| step.standing(digits)) {
+            None | Some(Standing::Proved) => Found::Enough(Box::new(step)),
+            Some(Standing::Short) => Found::Short,
+            Some(Standing::Tied) => Found::Tied,
+        }
+    }
+
     fn advance(&mut self) -> Option<Result<TieredStep, StopReason>> {
         while let Some(certified) = &mut self.certified {
-            match certified.next() {
-                Some(Ok(step)) if step.accuracy().is_none_or(|bits| bits >= self.tiers.accuracy) => {
-                    if let Some(bits) = step.magnitude().filter(|bits| *bits > FARTHEST) {
-                        return Some(Err(StopReason::TooLong { bits, limit: FARTHEST }));
-                    }
+            let next = certified.next();
+            if next.is_none() && self.done == self.path.steps().len() {
+                return None;
+            }
+            match self.found(next) {
+                Found::Enough(step) => {
                     self.done += 1;
-                    return Some(Ok(TieredStep::Certified(step)));
+                    return Some(Ok(TieredStep::Certified(*step)));
                 }
-                None if self.done == self.path.steps().len() => return None,
-                // Undecided at this step, or at one that was passed over, or not accurate.
-                _ if self.bits < self.tiers.most_bits => {
+                Found::TooFar(bits) if self.digits.is_none() => {
+                    return Some(Err(StopReason::TooLong { bits, limit: FARTHEST }));
+                }
+                Found::Short if self.bits < self.tiers.most_bits => {
                     self.bits = (2 * self.bits).min(self.tiers.most_bits);
                     self.enclose(self.done);
                 }

@@ -7,6 +7,7 @@ mod certificate;
 mod check;
 mod declared;
 mod effort;
+mod enclosed;
 mod estimate;
 mod exit;
 mod explain;
@@ -31,6 +32,7 @@ mod solve;
 mod spec;
 mod stability;
 mod steps;
+mod tier;
 mod verify;
 mod verify_steady;
 

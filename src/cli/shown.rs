@@ -1,7 +1,7 @@
 //! What `solve` shows of a step: its values, by name.
 
 use super::notation::Notation;
-use super::steps::Step;
+use super::steps::ExactStep;
 use crate::filter::{RationalStep, StepAhead};
 use crate::matrix::{Fractions, Matrix};
 use crate::scalar::Rational;
@@ -19,16 +19,16 @@ impl<T> Shown<T> {
     ///
     /// Of the predictor that are the named quantities of its record (`everything`), or those that are shown without being
     /// asked for.
-    pub(super) fn of(step: &Step, everything: bool, notation: &impl Notation<Number = T>) -> Self {
+    pub(super) fn of(step: &ExactStep, everything: bool, notation: &impl Notation<Number = T>) -> Self {
         match step {
-            Step::Fast(RationalStep { values, .. }) => {
+            ExactStep::Fast(RationalStep { values, .. }) => {
                 let written = |(&quantity, fractions): (&Quantity, &Fractions)| {
                     (quantity, notation.matrix(fractions, quantity.is_covariance()))
                 };
                 Self { values: values.iter().map(written).collect(), more: Vec::new(), ahead: Vec::new() }
             }
-            Step::Readable(record) => named(record).written(notation),
-            Step::Ahead(step) => {
+            ExactStep::Readable(record) => named(record).written(notation),
+            ExactStep::Ahead(step) => {
                 let StepAhead { record, ahead } = &**step;
                 let mut shown = named(record);
                 if !everything {

@@ -12,10 +12,12 @@ use super::length::MaximalBits;
 use super::notation::{Decimals, LowestTerms, Notation};
 use super::numbers::{Numbers, laid_out};
 use super::shown::{Shown, named_ahead};
-use super::steps::{Source, Stop};
+use super::steps::{Along, Source, Step, Stop, Wanted};
+use super::tier::{Tier, Tiering};
 use super::{input, interrupt, progress};
+use crate::certify::Growth;
 use crate::filter::StopReason;
-use crate::protocol::{Answer, AnswerStream, Case, CaseError, LawAhead, Outcome};
+use crate::protocol::{Answer, AnswerNumber, AnswerStream, Case, CaseError, LawAhead, Outcome};
 use crate::scalar::Rational;
 use crate::trace::Moments;
 
@@ -26,6 +28,7 @@ Examples:
   exact-kalman solve examples/cases/walk.json --exact             as fractions
   exact-kalman solve examples/cases/walk.json --trace             every named quantity
   exact-kalman solve examples/cases/nile.json --last --ahead 3    and the next three states
+  exact-kalman solve examples/cases/walk.json --tier certified    enclosures alone, of the same digits
   exact-kalman cases --only basic --format json | exact-kalman solve - --format json
 
 Each step is printed as soon as it is known. Ctrl-C stops: what is known by then is printed, with a note
@@ -34,7 +37,7 @@ the next run begins anew.
 
 A case that is no valid problem is refused, with the reason; the others are answered all the same. Exit
 codes: 0 all answered, 1 some data contradict their model, 2 some case refused, or other trouble,
-3 nothing of that, but some numbers grew too long, 130 interrupted";
+3 nothing of that, but some numbers grew too long\nor were not decided, 130 interrupted";
 
 /// Print the exact answer to cases, correctly rounded
 #[derive(clap::Args, Debug)]
@@ -47,7 +50,9 @@ pub(super) struct Solve {
     /// Only the last step (of text).
     #[arg(long)]
     last: bool,
-    /// Every named quantity, computed by the readable recursion (slower): also the gain, the cross covariance and
+    #[command(flatten)]
+    tiering: Tiering,
+    /// Every named quantity, computed by the readable recursion (slower) or enclosed: also the gain, the cross covariance and
     /// the parts of the likelihood.
     #[arg(long)]
     trace: bool,
@@ -127,10 +132,21 @@ impl Solve {
 
     fn source(&self, case: &Case) -> Result<Source, CaseError> {
         let problem = case.problem()?;
-        Ok(match self.ahead {
-            Some(steps_ahead) => Source::Ahead(problem.realised_ahead(steps_ahead)?),
-            None if self.trace => Source::Readable(problem.realised()?),
-            None => Source::Fast(problem.realised()?),
+        let Numbers { digits, exact } = self.numbers;
+        let readable = self.trace || self.ahead.is_some();
+        let tier = match self.tiering.tier(exact, readable) {
+            // Where exact numbers are those of the recursion alone they are not mixed with others.
+            Tier::Auto if case.initial.allow_indefinite => Tier::Exact,
+            tier => tier,
+        };
+        let wanted = Wanted { digits, most_bits: self.tiering.most_bits(digits), everything: self.trace };
+        Ok(match (self.ahead, tier) {
+            (Some(ahead), Tier::Certified) => Source::Certified(Along::Ahead(problem.realised_ahead(ahead)?), wanted),
+            (None, Tier::Certified) => Source::Certified(Along::Path(problem.realised()?), wanted),
+            (Some(ahead), _) => Source::Ahead(problem.realised_ahead(ahead)?),
+            (None, Tier::Auto) => Source::Tiered(problem.realised()?, wanted),
+            (None, Tier::Exact) if self.trace => Source::Readable(problem.realised()?),
+            (None, Tier::Exact) => Source::Fast(problem.realised()?),
         })
     }
 
@@ -151,28 +167,45 @@ impl Solve {
             Format::Json => Page::Json(AnswerStream::begin::<N::Number>(out, id)?),
             Format::Text => Page::Text(out),
         };
-        let (mut last, mut known) = (None, 0);
+        let (mut last, mut known, mut growth, mut left_out) = (None, 0, Growth::default(), 0);
         let stop = loop {
             let (step, bits) = match steps.next(|| progress.tick()) {
                 Ok(step) => step,
                 Err(stop) => break stop,
             };
             progress.step(bits);
+            if let Step::Enclosed(step) = &step {
+                growth.note(known, bits, step.accuracy());
+            }
             match &mut page {
-                Page::Json(stream) => {
-                    let Shown { values, ahead, .. } = Shown::of(&step, self.trace, notation);
-                    let laws: Vec<_> = ahead.into_iter().map(law).collect();
-                    progress.aside(|| stream.step(&values, &laws))?;
-                }
+                Page::Json(stream) => match &step {
+                    Step::Exact(step) => {
+                        let shown = Shown::of(step, self.trace, notation);
+                        progress.aside(|| written(stream, shown))?;
+                    }
+                    Step::Enclosed(step) => {
+                        let shown = Shown::enclosed(step, self.numbers.digits).proved();
+                        left_out += usize::from(shown.values.len() < step.values.len());
+                        progress.aside(|| written(stream, shown))?;
+                    }
+                },
                 Page::Text(_) if self.last => last = Some(step),
                 Page::Text(out) => {
-                    let text = self.text(id, known, &Shown::of(&step, self.trace, notation));
+                    let text = self.text_of(id, known, &step, notation);
                     progress.aside(|| out.write_all(text.as_bytes()).and_then(|()| out.flush()))?;
                 }
             }
             known += 1;
         };
         drop(progress);
+        if growth.is_told() {
+            eprintln!("{id}: {growth}");
+        }
+        if left_out > 0 {
+            eprintln!(
+                "{id}: at {left_out} steps a quantity with an entry that may be zero or a tie is left out; --tier auto, or text, has it"
+            );
+        }
         let ended = Ended::of(stop, known, all);
         if let Some(ended) = &ended {
             eprintln!("{id}: {}", ended.told(self.last && self.format == Format::Text));
@@ -184,12 +217,19 @@ impl Solve {
             },
             Page::Text(out) => {
                 if let Some(step) = last {
-                    out.write_all(self.text(id, known - 1, &Shown::of(&step, self.trace, notation)).as_bytes())?;
+                    out.write_all(self.text_of(id, known - 1, &step, notation).as_bytes())?;
                 }
                 out.flush()?;
             }
         }
         Ok(ended.map_or(Exit::Clean, |ended| ended.exit))
+    }
+
+    fn text_of(&self, id: &str, number: usize, step: &Step, notation: &impl Notation) -> String {
+        match step {
+            Step::Exact(step) => self.text(id, number, &Shown::of(step, self.trace, notation)),
+            Step::Enclosed(step) => self.text(id, number, &Shown::enclosed(step, self.numbers.digits)),
+        }
     }
 
     fn text<T: Clone + Display>(&self, id: &str, step: usize, shown: &Shown<T>) -> String {
@@ -212,6 +252,11 @@ impl Solve {
 enum Page<'a, W> {
     Text(&'a mut W),
     Json(AnswerStream<&'a mut W>),
+}
+
+fn written<W: Write, T: AnswerNumber>(stream: &mut AnswerStream<W>, shown: Shown<T>) -> std::io::Result<()> {
+    let laws: Vec<_> = shown.ahead.into_iter().map(law).collect();
+    stream.step(&shown.values, &laws)
 }
 
 fn law<T>(Moments { mean, covariance, diffuse }: Moments<T>) -> Option<LawAhead<T>> {
@@ -249,6 +294,12 @@ impl Ended {
                 reason.to_string(),
                 "; give a higher --max-bits (--trace and --ahead use a sixteenth of it; time and memory grow with it), fewer observations, or data of fewer digits: \
                  with each step numbers lengthen by about what its data have",
+                Outcome::Error,
+                Exit::Undecided,
+            ),
+            Stop::Undecided(short) => ended(
+                short.to_string(),
+                "; give --tier auto, which goes on with exact numbers, or a higher --most-bits",
                 Outcome::Error,
                 Exit::Undecided,
             ),

@@ -5,6 +5,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use super::interrupt;
+use crate::certify::{CertifiedStep, RaisedFilter, Short, TieredFilter, TieredStep};
 use crate::filter::{
     Effort, FRACTIONS_PART, Predictions, RationalFilter, RationalStep, Records, StepAhead, StopReason,
 };
@@ -25,11 +26,40 @@ pub(super) enum Source {
     Readable(Path<Rational>),
     /// By the predictor.
     Ahead(PathAhead<Rational>),
+    /// On integers while denominators are short, and where enclosures decide nothing; else enclosed.
+    Tiered(Path<Rational>, Wanted),
+    /// Enclosed.
+    Certified(Along, Wanted),
+}
+
+/// What an enclosure is made along.
+#[derive(Debug)]
+pub(super) enum Along {
+    Path(Path<Rational>),
+    Ahead(PathAhead<Rational>),
+}
+
+/// What is wanted of enclosures.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Wanted {
+    /// The decimal digits of each entry.
+    pub(super) digits: u32,
+    /// The bits that they may have.
+    pub(super) most_bits: u64,
+    /// Whether everything is wanted that has a name.
+    pub(super) everything: bool,
 }
 
 /// What is known of a step.
 #[derive(Debug)]
 pub(super) enum Step {
+    Exact(ExactStep),
+    Enclosed(Box<CertifiedStep>),
+}
+
+/// A step of which every number is known.
+#[derive(Debug)]
+pub(super) enum ExactStep {
     Fast(RationalStep),
     Readable(Box<Record<Rational>>),
     Ahead(Box<StepAhead<Rational>>),
@@ -42,6 +72,8 @@ pub(super) enum Stop {
     Ended,
     /// The filter cannot go on.
     Reason(StopReason),
+    /// Enclosures do not decide.
+    Undecided(Short),
     /// Ctrl-C.
     Interrupted,
 }
@@ -63,8 +95,10 @@ pub(super) struct Steps {
 impl Source {
     pub(super) fn path(&self) -> &Path<Rational> {
         match self {
-            Self::Fast(path) | Self::Readable(path) => path,
-            Self::Ahead(path) => path.path(),
+            Self::Fast(path) | Self::Readable(path) | Self::Tiered(path, _) | Self::Certified(Along::Path(path), _) => {
+                path
+            }
+            Self::Ahead(path) | Self::Certified(Along::Ahead(path), _) => path.path(),
         }
     }
 
@@ -91,22 +125,65 @@ impl Source {
                         Ok(step) => step,
                         Err(reason) => return Some(Stop::Reason(reason)),
                     };
-                    if !tell(Step::Fast(step), filter.bits()) {
+                    if !tell(Step::Exact(ExactStep::Fast(step)), filter.bits()) {
                         return None;
                     }
                 }
                 None
             }
             Self::Readable(path) => {
-                let step = |record| Step::Readable(Box::new(record));
+                let step = |record| Step::Exact(ExactStep::Readable(Box::new(record)));
                 fractions(Records::new(&path), all, maximal_bits, |record| record, step, tell)
             }
             Self::Ahead(path) => {
-                let step = |ahead| Step::Ahead(Box::new(ahead));
+                let step = |ahead| Step::Exact(ExactStep::Ahead(Box::new(ahead)));
                 fractions(Predictions::new(&path), all, maximal_bits, |ahead| &ahead.record, step, tell)
             }
+            Self::Tiered(path, wanted) => tiered(&path, wanted, maximal_bits, tell),
+            Self::Certified(along, wanted) => certified(&along, wanted, tell),
         }
     }
+}
+
+fn tiered(
+    path: &Path<Rational>,
+    Wanted { digits, most_bits, .. }: Wanted,
+    maximal_bits: Option<u64>,
+    tell: impl Fn(Step, u64) -> bool,
+) -> Option<Stop> {
+    let mut filter = TieredFilter::to_digits(path, digits, most_bits, maximal_bits);
+    while let Some(step) = filter.next() {
+        let step = match step {
+            Ok(TieredStep::Exact(step)) => Step::Exact(ExactStep::Fast(step)),
+            Ok(TieredStep::Certified(step)) => Step::Enclosed(Box::new(step)),
+            Err(reason) => return Some(Stop::Reason(reason)),
+        };
+        if !tell(step, filter.bits()) {
+            return None;
+        }
+    }
+    None
+}
+
+fn certified(along: &Along, wanted: Wanted, tell: impl Fn(Step, u64) -> bool) -> Option<Stop> {
+    let Wanted { digits, most_bits, everything } = wanted;
+    let mut filter = match along {
+        Along::Path(path) => RaisedFilter::new(path, digits, most_bits),
+        Along::Ahead(path) => RaisedFilter::new(path.path(), digits, most_bits).ahead(path),
+    };
+    if everything {
+        filter = filter.everything();
+    }
+    while let Some(step) = filter.next() {
+        let step = match step {
+            Ok(step) => Step::Enclosed(Box::new(step)),
+            Err(short) => return Some(Stop::Undecided(short)),
+        };
+        if !tell(step, filter.bits()) {
+            return None;
+        }
+    }
+    None
 }
 
 /// Runs a filter on fractions, which knows no limit itself, along a path of so many steps.

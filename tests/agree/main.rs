@@ -6,6 +6,7 @@ mod bayes;
 mod bayes_digits;
 mod beyond;
 mod certified;
+mod derived;
 mod diffuse;
 mod draws;
 mod feedback;
