@@ -12,11 +12,13 @@ mod grid;
 mod innovation;
 mod law;
 mod readings;
+mod steady;
 mod target;
 mod tiers;
 mod whitening;
 
 pub use filter::{CertifiedFilter, CertifiedStep};
+pub use steady::{SteadyEffort, SteadyState, SteadyWitness, Unproved};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.
