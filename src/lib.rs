@@ -20,6 +20,7 @@
 //! | 3 | [`riccati`] | the map of Riccati, its filter and its fixed point |
 //! | 3 | `float` | the f64 filters, on nalgebra (feature `float`) |
 //! | 3 | `protocol` | cases and answers as JSON, programs under test (feature `judge`) |
+//! | 3 | `verify` | the checker of certificates (feature `judge`) |
 //! | 4 | [`identify`] | systems from data: estimates of A, V, W, the adaptive filter, least squares |
 //! | 4 | [`nongaussian`] | prediction from a start that is not Gaussian |
 //! | 4 | [`stability`] | random Riccati equations: observability, moments, rates, with certificates |
@@ -84,6 +85,8 @@ pub mod riccati;
 pub mod scalar;
 pub mod stability;
 pub mod trace;
+#[cfg(feature = "judge")]
+pub mod verify;
 
 #[doc = include_str!("../SPEC.md")]
 pub mod spec;

@@ -4,6 +4,7 @@
 //! bounds in the order of Loewner for how far the exact ones may be from them. All arithmetic is on integers; no floating
 //! point is trusted, and no inverse of P is taken, so P may be singular.
 
+mod absence;
 mod accuracy;
 mod dyadics;
 mod enclosed;
@@ -17,6 +18,7 @@ mod target;
 mod tiers;
 mod whitening;
 
+pub use absence::{Absence, Existence, Unknown};
 pub use filter::{CertifiedFilter, CertifiedStep};
 pub use steady::{SteadyEffort, SteadyState, SteadyWitness, Unproved};
 pub use tiers::{TieredFilter, TieredStep, Tiers};

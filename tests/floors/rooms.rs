@@ -10,7 +10,7 @@ const FLOORS: [(&str, u32); 21] = [
     ("gaussian", 2),
     ("model", 2),
     ("trace", 2),
-    ("verify", 2),
+    ("verify", 3),
     ("filter", 3),
     ("float", 3),
     ("riccati", 3),
