@@ -6,6 +6,8 @@
 
 mod absence;
 mod accuracy;
+#[cfg(feature = "judge")]
+mod certificate;
 mod dyadics;
 mod enclosed;
 mod filter;
