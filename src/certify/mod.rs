@@ -22,7 +22,7 @@ mod whitening;
 
 pub use absence::{Absence, Existence, Unknown};
 pub use filter::{CertifiedFilter, CertifiedStep};
-pub use steady::{SteadyEffort, SteadyState, SteadyWitness, Unproved};
+pub use steady::{SteadyEffort, SteadyState, Unproved};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.

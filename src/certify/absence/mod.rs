@@ -45,10 +45,14 @@ pub enum Unknown {
     #[error("modes that may forbid a solution are given by numbers too long to be decided")]
     TooLong,
     /// R is singular, and nothing was found that forbids a solution.
-    #[error("nothing was found that forbids a solution; with a singular covariance of the observations that proves nothing")]
+    #[error(
+        "nothing was found that forbids a solution; with a singular covariance of the observations that proves nothing"
+    )]
     SingularNoise,
     /// The noise has no covariance, and nothing was found that forbids a solution.
-    #[error("nothing was found that forbids a solution; with noise that is not positive semidefinite that proves nothing")]
+    #[error(
+        "nothing was found that forbids a solution; with noise that is not positive semidefinite that proves nothing"
+    )]
     IndefiniteNoise,
 }
 
@@ -115,7 +119,8 @@ fn noise(step: &UnifiedStep) -> Option<Unknown> {
 
 /// Whether an elimination would be long: entries that are not zero off the diagonal, many of them, of many bits.
 fn is_long(matrix: &Matrix<Rational>) -> bool {
-    let coupled = (0..matrix.rows()).filter(|&i| (0..matrix.columns()).any(|j| i != j && matrix[(i, j)] != Rational::default()));
+    let coupled =
+        (0..matrix.rows()).filter(|&i| (0..matrix.columns()).any(|j| i != j && matrix[(i, j)] != Rational::default()));
     let order = u64::try_from(coupled.count()).unwrap_or(u64::MAX);
     let bits = matrix.entries().iter().map(|entry| entry.numer().bits() + entry.denom().bits()).max().unwrap_or(0);
     order.saturating_pow(4).saturating_mul(bits / 64 + 1) > ELIMINATION

@@ -126,8 +126,7 @@ fn is_all_off_circle<F: Remainder>(rows: &Invariant<F>, divisor: &Polynomial<F>,
 fn paired_polynomial(rows: &Invariant<Rational>) -> Option<Polynomial<Rational>> {
     let polynomial = characteristic_polynomial(&rows.map)?;
     let ends = [ratio(1, 1), ratio(-1, 1)];
-    let is_paired = circle::is_self_reciprocal(&polynomial)
-        && ends.iter().all(|end| polynomial.at(end) != ratio(0, 1));
+    let is_paired = circle::is_self_reciprocal(&polynomial) && ends.iter().all(|end| polynomial.at(end) != ratio(0, 1));
     is_paired.then_some(polynomial)
 }
 

@@ -12,6 +12,7 @@ mod point;
 mod proof;
 mod results;
 mod series;
+#[cfg(feature = "judge")]
 mod witness;
 
 use super::dyadics::{Dyadics, odd_denominator, symmetric};
@@ -25,7 +26,6 @@ use doubling::{Failure, Proposal};
 use equation::{Equation, without_repeated};
 use proof::Proof;
 use results::Results;
-pub use witness::SteadyWitness;
 
 /// How many digits are wanted, and how many bits may be spent on them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +74,7 @@ pub struct SteadyState {
     pub solution: Matrix<Interval>,
     /// `K = (A S Hᵀ + S₀)(H S Hᵀ + R)⁻¹`, n×m; a column of zeros for a sensor that repeats others.
     pub gain: Matrix<Interval>,
-    /// `H S Hᵀ + R`, m×m.
+    /// `H S Hᵀ + R`, of the sensors that are kept.
     pub innovation_covariance: Matrix<Interval>,
     /// `S − S Hᵀ(H S Hᵀ + R)⁻¹H S`, n×n: what is left of S once y is known.
     pub filtered_covariance: Matrix<Interval>,
@@ -91,7 +91,8 @@ pub struct SteadyState {
     /// The sensors that are used: the others repeat them, noise included.
     pub kept: Vec<usize>,
     /// What somebody else needs to check it.
-    pub witness: SteadyWitness,
+    #[cfg(feature = "judge")]
+    pub evidence: crate::verify::Stabilising,
 }
 
 /// Why there is no proof. None of this says that there is no stabilising solution.
@@ -158,7 +159,8 @@ impl SteadyState {
         }
         let first = (u64::from(effort.digits) * 10).div_ceil(3) + MARGIN;
         let mut bits = first.min(effort.most_bits);
-        let all: Vec<usize> = (0..step.sensors()).collect();
+        let sensors = step.sensors();
+        let all: Vec<usize> = (0..sensors).collect();
         let (mut step, mut kept) = (step.clone(), all);
         let mut best: Result<Self, Unproved> = Err(Unproved::Restless);
         loop {
@@ -181,7 +183,7 @@ impl SteadyState {
             };
             match tried {
                 Ok(proof) => {
-                    let state = Results { proof: &proof, equation: &equation, kept: &kept, bits }.state();
+                    let state = Results { proof: &proof, equation: &equation, kept: &kept, sensors, bits }.state();
                     if state.digits.is_none_or(|digits| digits >= effort.digits) {
                         return Ok(state);
                     }

@@ -5,7 +5,6 @@
 //! > `φ(P) = J + G(P − S̃)Gᵀ − Δ`, `0 ≤ Δ = (K̃ − K)Σ(K̃ − K)ᵀ ≤ D̄ = (2/κ)(ρTᵀTρᵀ + w GEGᵀ)`
 
 use num_bigint::BigInt;
-use num_integer::Integer;
 use num_traits::{One, Signed, Zero};
 
 use super::equation::{Equation, Target, above, over, product, sum};
@@ -156,9 +155,4 @@ pub(super) fn is_definite(matrix: &Dyadics) -> bool {
         whitening(matrix, &BigInt::one(), bits)
             .is_some_and(|t| largest_row_sum(&t.congruence(matrix).minus(&identity)) < Dyadic::one())
     })
-}
-
-/// Half of an exponent, rounded up.
-pub(super) fn half(exponent: i64) -> i64 {
-    Integer::div_ceil(&exponent, &2)
 }

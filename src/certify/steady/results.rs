@@ -5,7 +5,6 @@ use num_bigint::BigInt;
 use super::equation::{Equation, product};
 use super::point::{Image, widened};
 use super::proof::Proof;
-use super::witness::SteadyWitness;
 use super::{BOUND_BITS, Dyadics, SteadyState, around, intervals, root};
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Interval, Toward};
@@ -14,6 +13,7 @@ pub(super) struct Results<'a> {
     pub(super) proof: &'a Proof,
     pub(super) equation: &'a Equation,
     pub(super) kept: &'a [usize],
+    pub(super) sensors: usize,
     pub(super) bits: u64,
 }
 
@@ -37,7 +37,8 @@ impl Results<'_> {
             digits: proof.accuracy().map(|bits| decimals(bits.unsigned_abs())),
             bits,
             kept: self.kept.to_vec(),
-            witness: SteadyWitness::of(proof),
+            #[cfg(feature = "judge")]
+            evidence: proof.evidence(),
         }
     }
 
@@ -61,9 +62,8 @@ impl Results<'_> {
     fn gain(&self, image: &Image) -> Matrix<Interval> {
         let missing = self.proof.missing(image, self.equation).diagonal();
         let whitening = self.proof.reading.whitening.transposed().square().diagonal();
-        let sensors = self.kept.iter().copied().max().map_or(0, |last| last + 1);
         let place = |sensor: usize| self.kept.iter().position(|kept| *kept == sensor);
-        Matrix::from_fn(missing.len(), sensors, |i, sensor| {
+        Matrix::from_fn(missing.len(), self.sensors, |i, sensor| {
             let Some(j) = place(sensor) else { return Interval::zero() };
             let square = product(&product(&missing[i], &whitening[j]), &self.proof.inverse_kappa);
             around(&image.gain.entry(i, j), &root(&square), self.bits)
