@@ -23,6 +23,19 @@ pub(super) struct Enclosed {
     pub(super) mean: Dyadics,
     /// E
     pub(super) ellipsoid: Dyadics,
+    /// What proves it from the belief before.
+    #[cfg_attr(not(feature = "judge"), allow(dead_code, reason = "certificates alone need it"))]
+    pub(super) proof: Proof,
+}
+
+/// What a checker must be told to prove a belief from the one before.
+#[derive(Clone, Debug, Default)]
+#[cfg_attr(not(feature = "judge"), allow(dead_code, reason = "certificates alone need it"))]
+pub(super) struct Proof {
+    /// K̃, where something is read.
+    pub(super) gain: Option<Dyadics>,
+    /// k of the α = 2⁻ᵏ with which two errors of the mean were added, if there are two.
+    pub(super) balance: Option<i64>,
 }
 
 impl Enclosed {
@@ -39,7 +52,7 @@ impl Enclosed {
         let (covariance, pad) = rounded(&exact.0, &exact.1, &scales, bits);
         let mean_odd = odd(mean);
         let (mean, errors) = rounded_mean(&Dyadics::of(mean, &mean_odd), &mean_odd, &scales, bits);
-        Self { covariance, gap: diagonal(&pad), ellipsoid: ellipsoid_of(&errors), mean }
+        Self { covariance, gap: diagonal(&pad), ellipsoid: ellipsoid_of(&errors), mean, proof: Proof::default() }
     }
 
     /// The variance by which units are chosen: that of P̃, or W where it is none.

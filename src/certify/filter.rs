@@ -95,9 +95,11 @@ impl CertifiedStep {
 pub struct CertifiedFilter<'a> {
     path: &'a Path<Rational>,
     bits: u64,
-    belief: Option<Enclosed>,
+    pub(super) belief: Option<Enclosed>,
     law: Option<(&'a Step<Rational>, bool, Law)>,
     done: usize,
+    #[cfg(feature = "judge")]
+    pub(super) witness: super::certificate::Witness,
 }
 
 impl<'a> CertifiedFilter<'a> {
@@ -106,7 +108,15 @@ impl<'a> CertifiedFilter<'a> {
         let initial = path.initial();
         let is_diffuse = initial.diffuse.iter().any(|part| !part.is_zero());
         let belief = (!is_diffuse).then(|| Enclosed::of(&initial.mean, &initial.covariance, bits));
-        Self { path, bits, belief, law: None, done: 0 }
+        Self {
+            path,
+            bits,
+            belief,
+            law: None,
+            done: 0,
+            #[cfg(feature = "judge")]
+            witness: super::certificate::Witness::default(),
+        }
     }
 
     /// The filter in the middle of a path, before the step with this number, from the exact law of the state with which that
@@ -117,7 +127,7 @@ impl<'a> CertifiedFilter<'a> {
         (mean, covariance): (&Matrix<Rational>, &Matrix<Rational>),
         bits: u64,
     ) -> Self {
-        Self { path, bits, belief: Some(Enclosed::of(mean, covariance, bits)), law: None, done }
+        Self { belief: Some(Enclosed::of(mean, covariance, bits)), done, ..Self::new(path, bits) }
     }
 
     fn advance(&mut self, step: &'a Step<Rational>, belief: &Enclosed) -> Result<(CertifiedStep, Enclosed), Undecided> {
@@ -149,6 +159,8 @@ impl<'a> CertifiedFilter<'a> {
             insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
             values.insert(Quantity::Innovation, value);
             values.insert(Quantity::InnovationCovariance, covariance);
+            #[cfg(feature = "judge")]
+            self.witness.whiten(innovation.whitening);
             targets
         } else {
             let moved = |target| target::moved(belief, law, &data, target, bits);
@@ -163,6 +175,8 @@ impl<'a> CertifiedFilter<'a> {
             }
             targets
         };
+        #[cfg(feature = "judge")]
+        self.witness.hold(self.done, &law.readings, predicted, &filtered, ahead.as_ref());
         Ok((CertifiedStep { values, innovation_rank: law.readings.kept.len() }, ahead.unwrap_or(filtered)))
     }
 }

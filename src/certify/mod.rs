@@ -6,6 +6,8 @@
 
 mod absence;
 mod accuracy;
+#[cfg(feature = "judge")]
+mod certificate;
 mod dyadics;
 mod enclosed;
 mod filter;
@@ -13,12 +15,14 @@ mod grid;
 mod innovation;
 mod law;
 mod readings;
+mod steady;
 mod target;
 mod tiers;
 mod whitening;
 
 pub use absence::{Absence, Existence, Unknown};
 pub use filter::{CertifiedFilter, CertifiedStep};
+pub use steady::{SteadyEffort, SteadyState, Unproved};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.

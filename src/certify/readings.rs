@@ -19,6 +19,12 @@ pub(super) struct Readings {
 }
 
 impl Readings {
+    /// Whether no entry is left out.
+    #[cfg(feature = "judge")]
+    pub(super) fn are_complete(&self) -> bool {
+        self.combination.is_none()
+    }
+
     pub(super) fn of(step: &Step<Rational>) -> Self {
         let observed = step.reading.present();
         let rows = step.observation.select_rows(&observed).beside(&step.observation_noise.select(&observed, &observed));

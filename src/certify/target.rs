@@ -15,7 +15,7 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use super::dyadics::Dyadics;
-use super::enclosed::{Enclosed, ellipsoid_of, rounded_mean};
+use super::enclosed::{Enclosed, Proof, ellipsoid_of, rounded_mean};
 use super::grid::{BOUND_BITS, nearest, rounded, scale, up};
 use super::innovation::{Innovation, above, over, product, sum};
 use super::law::{Data, Input, Law, Target};
@@ -88,7 +88,9 @@ pub(super) fn updated(
         .plus(&missed.multiple(&over(&three, &law.noise_odd, 2)))
         .plus(&ellipsoid_of(&errors).multiple(&above(&ratio(3, 1))));
     let carried = closed.congruence(&belief.ellipsoid).multiple(&over(&Dyadic::one(), &law.odd, 2));
-    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid: joined(&carried, &local, &scales) }
+    let (ellipsoid, balance) = joined(&carried, &local, &scales);
+    let proof = Proof { gain: Some(gain), balance };
+    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid, proof }
 }
 
 /// The law of a target without a reading.
@@ -102,8 +104,9 @@ pub(super) fn moved(belief: &Enclosed, law: &Law, data: &Data, target: &Target, 
     let moved = with_input(a.times(&belief.mean).scaled(&data.lift), target, data);
     let (mean, errors) = rounded_mean(&moved, &data.odd, &scales, bits);
     let carried = a.congruence(&belief.ellipsoid).multiple(&square);
-    let ellipsoid = joined(&carried, &ellipsoid_of(&errors), &scales);
-    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid }
+    let (ellipsoid, balance) = joined(&carried, &ellipsoid_of(&errors), &scales);
+    let proof = Proof { gain: None, balance };
+    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid, proof }
 }
 
 fn with_input(mean: Dyadics, target: &Target, data: &Data) -> Dyadics {
@@ -135,11 +138,12 @@ fn over_each(entries: Vec<Dyadic>, odd: &BigInt) -> Vec<Dyadic> {
     if odd.is_one() { entries } else { entries.iter().map(|entry| over(entry, odd, 1)).collect() }
 }
 
-/// `(a + b)(a + b)ᵀ ≤ (1 + α) E₁ + (1 + 1/α) E₂`, with an α near the best in the units of the coordinates.
-fn joined(carried: &Dyadics, local: &Dyadics, scales: &[Option<i64>]) -> Dyadics {
+/// `(a + b)(a + b)ᵀ ≤ (1 + α) E₁ + (1 + 1/α) E₂`, with an α near the best in the units of the coordinates; and k of
+/// α = 2⁻ᵏ.
+fn joined(carried: &Dyadics, local: &Dyadics, scales: &[Option<i64>]) -> (Dyadics, Option<i64>) {
     let nothing = vec![Dyadic::zero(); carried.rows()];
     if carried.is_zero() || local.is_zero() {
-        return up(if carried.is_zero() { local } else { carried }, &nothing, GAP_BITS);
+        return (up(if carried.is_zero() { local } else { carried }, &nothing, GAP_BITS), None);
     }
     let size = |matrix: &Dyadics| {
         let entry = |(i, entry): (usize, Dyadic)| {
@@ -154,5 +158,5 @@ fn joined(carried: &Dyadics, local: &Dyadics, scales: &[Option<i64>]) -> Dyadics
     let inverse = Dyadic::new(BigInt::one(), k);
     let factor = |more: &Dyadic| sum(&Dyadic::one(), more);
     let total = carried.multiple(&factor(&alpha)).plus(&local.multiple(&factor(&inverse)));
-    up(&total, &nothing, GAP_BITS)
+    (up(&total, &nothing, GAP_BITS), Some(k))
 }

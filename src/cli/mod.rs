@@ -28,6 +28,7 @@ mod shown;
 mod solve;
 mod spec;
 mod stability;
+mod steady;
 mod steps;
 
 use std::ffi::OsString;
@@ -67,6 +68,7 @@ enum Verb {
     Spec(spec::Spec),
     Identify(identify::Identify),
     Stability(stability::Stability),
+    Steady(steady::Steady),
     Reproduce(reproduce::Reproduce),
 }
 
@@ -100,6 +102,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Spec(verb) => verb.run(),
         Verb::Identify(verb) => verb.run(),
         Verb::Stability(verb) => verb.run(),
+        Verb::Steady(verb) => verb.run(),
         Verb::Reproduce(verb) => verb.run(),
     };
     match outcome {

@@ -1,0 +1,150 @@
+//! The certificate of a filter, step by step.
+
+use super::belief::Belief;
+use super::document::{BeliefDocument, StepDocument};
+use super::rejection::{Condition, Rejection, wrong};
+use super::step::{Innovation, check_size, proved};
+use super::table::Table;
+use super::unified::{Target, Unified};
+use crate::model::{Before, Path, Step, Timing};
+use crate::scalar::Rational;
+
+/// What is proved of a step.
+#[derive(Clone, Debug)]
+pub struct ProvedStep {
+    /// The state that is read, before the reading: with a transition that arrives, the one after it.
+    pub predicted: Belief,
+    /// The state given the reading.
+    pub filtered: Belief,
+    /// The state after the transition that departs, given the reading.
+    pub ahead: Option<Belief>,
+    /// The bits to which all entries of all of them are known, in their units; nothing where they are known exactly.
+    pub bits: Option<u64>,
+}
+
+/// Checks the steps of a certificate against a path, one after the other; it remembers one belief.
+#[derive(Debug)]
+pub struct FilterCheck<'a> {
+    path: &'a Path<Rational>,
+    belief: Belief,
+    done: usize,
+}
+
+impl<'a> FilterCheck<'a> {
+    /// The belief with which a path begins, checked.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejection`]; also for a diffuse start, of which no certificate speaks.
+    pub fn begin(path: &'a Path<Rational>, start: &BeliefDocument) -> Result<Self, Rejection> {
+        let (initial, n) = (path.initial(), path.states());
+        let is_diffuse = |part: &_| !Table::of(n, n, |i, j| &std::ops::Index::index(part, (i, j))).is_zero();
+        if initial.diffuse.as_ref().is_some_and(is_diffuse) {
+            return Err(wrong(Condition::Case, "the start is diffuse: no certificate speaks of such a case"));
+        }
+        if start.gain.is_some() || start.balance.is_some() {
+            return Err(wrong(Condition::Members, "`start` has neither `gain` nor `balance`"));
+        }
+        let belief = Belief::of(start, n)?;
+        let mean = Table::of(n, 1, |i, j| &initial.mean[(i, j)]);
+        let covariance = Table::of(n, n, |i, j| &initial.covariance[(i, j)]);
+        check_size(
+            [belief.magnitude(), mean.magnitude(), covariance.magnitude()].into_iter().max().unwrap_or(0),
+            n,
+            0,
+        )?;
+        belief.encloses(&mean, &covariance)?;
+        Ok(Self { path, belief, done: 0 })
+    }
+
+    /// How many steps were checked.
+    pub fn done(&self) -> usize {
+        self.done
+    }
+
+    /// Checks the next step.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejection`].
+    pub fn step(&mut self, document: &StepDocument) -> Result<ProvedStep, Rejection> {
+        let at = self.done;
+        let proved = self.checked(document).map_err(|rejection| Rejection { step: Some(at), ..rejection })?;
+        self.belief = proved.ahead.as_ref().unwrap_or(&proved.filtered).clone();
+        self.done += 1;
+        Ok(proved)
+    }
+
+    /// That no step is missing.
+    ///
+    /// # Errors
+    ///
+    /// [`Rejection`].
+    pub fn end(&self) -> Result<(), Rejection> {
+        match self.path.steps().len() {
+            all if all == self.done => Ok(()),
+            all => Err(wrong(Condition::Order, format!("{} of {all} steps are certified", self.done))),
+        }
+    }
+
+    fn checked(&self, document: &StepDocument) -> Result<ProvedStep, Rejection> {
+        let path = self.path;
+        let step = path.steps().get(self.done).ok_or_else(|| wrong(Condition::Order, "the case has no such step"))?;
+        if document.step != self.done {
+            return Err(wrong(Condition::Order, format!("it is called {}", document.step)));
+        }
+        let is_first = self.done == 0 && path.initial().before == Before::Observation;
+        let law = Unified::of(
+            step,
+            path.timing(),
+            path.timing() == Timing::Arriving && !is_first && step.transition.is_some(),
+        )?;
+        check_size(law.magnitude(), path.states(), law.observation.rows)?;
+        let law = match &document.kept {
+            None => law,
+            Some(kept) => law.select(&places(step, kept)?)?,
+        };
+        let belief = &self.belief;
+        let innovation = match &document.whitening {
+            Some(whitening) if law.observation.rows > 0 => Some(Innovation::of(belief, &law, whitening)?),
+            None if law.observation.rows == 0 => None,
+            Some(_) => return Err(wrong(Condition::Members, "a `whitening` where nothing is read")),
+            None => return Err(wrong(Condition::Members, "`whitening` is missing")),
+        };
+        let optional = |name: &str, target: &Option<Target>, document: &Option<BeliefDocument>, innovation| match (
+            target, document,
+        ) {
+            (Some(target), Some(document)) => {
+                proved(belief, &law, target, innovation, document).map(Some).map_err(|found| named(name, found))
+            }
+            (None, None) => Ok(None),
+            (Some(_), None) => Err(wrong(Condition::Members, format!("`{name}` is missing"))),
+            (None, Some(_)) => Err(wrong(Condition::Members, format!("there is no such state as `{name}`"))),
+        };
+        let predicted = optional("predicted", &law.predicted, &document.predicted, None)?;
+        let filtered = proved(belief, &law, &law.filtered, innovation.as_ref(), &document.filtered);
+        let filtered = filtered.map_err(|found| named("filtered", found))?;
+        let ahead = optional("ahead", &law.ahead, &document.ahead, innovation.as_ref())?;
+        let predicted = predicted.unwrap_or_else(|| belief.clone());
+        let bits =
+            [predicted.bits(belief), filtered.bits(&predicted), ahead.as_ref().and_then(|it| it.bits(&filtered))];
+        Ok(ProvedStep { bits: bits.into_iter().flatten().min(), predicted, filtered, ahead })
+    }
+}
+
+fn named(name: &str, rejection: Rejection) -> Rejection {
+    Rejection { message: format!("`{name}`: {}", rejection.message), ..rejection }
+}
+
+/// The places of the sensors that are kept among those that are observed.
+fn places(step: &Step<Rational>, kept: &[usize]) -> Result<Vec<usize>, Rejection> {
+    let observed = step.reading.present();
+    if !kept.is_sorted_by(|a, b| a < b) {
+        return Err(wrong(Condition::Kept, "`kept` is not in increasing order"));
+    }
+    let place = |sensor| observed.binary_search(sensor).ok();
+    kept.iter()
+        .map(place)
+        .collect::<Option<_>>()
+        .ok_or_else(|| wrong(Condition::Kept, "a sensor in `kept` is not observed"))
+}
