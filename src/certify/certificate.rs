@@ -73,12 +73,12 @@ fn belief(enclosed: &Enclosed) -> BeliefDocument {
     }
 }
 
-fn full(matrix: &Dyadics) -> DyadicMatrix {
+pub(super) fn full(matrix: &Dyadics) -> DyadicMatrix {
     written(matrix, |_| matrix.mantissas.columns())
 }
 
 /// The lower triangle of a symmetric matrix.
-fn triangle(matrix: &Dyadics) -> DyadicMatrix {
+pub(super) fn triangle(matrix: &Dyadics) -> DyadicMatrix {
     written(matrix, |i| i + 1)
 }
 

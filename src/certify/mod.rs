@@ -4,6 +4,7 @@
 //! bounds in the order of Loewner for how far the exact ones may be from them. All arithmetic is on integers; no floating
 //! point is trusted, and no inverse of P is taken, so P may be singular.
 
+mod absence;
 mod accuracy;
 mod ahead;
 #[cfg(feature = "judge")]
@@ -21,17 +22,20 @@ mod law;
 mod likelihood;
 mod raised;
 mod readings;
+mod steady;
 mod target;
 mod tiers;
 mod whitening;
 mod words;
 
+pub use absence::{Absence, Existence, Unknown};
 pub use derived::Derived;
 pub use digits::Digits;
 pub use filter::{CertifiedFilter, CertifiedStep};
 pub use growth::Growth;
 pub use likelihood::EnclosedLikelihood;
 pub use raised::{RaisedFilter, Short};
+pub use steady::{SteadyEffort, SteadyState, Unproved};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.

@@ -31,6 +31,7 @@ mod shown;
 mod solve;
 mod spec;
 mod stability;
+mod steady;
 mod steps;
 mod tier;
 mod verify;
@@ -73,6 +74,7 @@ enum Verb {
     Spec(spec::Spec),
     Identify(identify::Identify),
     Stability(stability::Stability),
+    Steady(steady::Steady),
     Reproduce(reproduce::Reproduce),
     Verify(verify::Verify),
 }
@@ -107,6 +109,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Spec(verb) => verb.run(),
         Verb::Identify(verb) => verb.run(),
         Verb::Stability(verb) => verb.run(),
+        Verb::Steady(verb) => verb.run(),
         Verb::Reproduce(verb) => verb.run(),
         Verb::Verify(verb) => verb.run(),
     };

@@ -1,0 +1,207 @@
+//! The stabilising solution of an equation of Riccati, to any number of digits, with a proof.
+//!
+//! > `S = A S Aᵀ + Q − (A S Hᵀ + S₀)(H S Hᵀ + R)⁻¹(A S Hᵀ + S₀)ᵀ`
+//!
+//! Doubling in fixed point proposes it; integers prove that it lies within so much, that the closed loop A − KH contracts, and so
+//! that it is the only one of which this is true. R may be singular or zero as long as HSHᵀ + R is regular.
+
+mod doubling;
+mod equation;
+mod fixed;
+mod point;
+mod proof;
+mod results;
+mod series;
+#[cfg(feature = "judge")]
+mod witness;
+
+use super::dyadics::{Dyadics, odd_denominator, symmetric};
+use super::enclosed::{around, intervals, root};
+use super::grid::{BOUND_BITS, nearest, rounded, scale, up};
+use super::whitening::whitening;
+use crate::matrix::Matrix;
+use crate::model::UnifiedStep;
+use crate::scalar::{Dyadic, Interval};
+use doubling::{Failure, Proposal};
+use equation::{Equation, without_repeated};
+use proof::Proof;
+use results::Results;
+
+/// How many digits are wanted, and how many bits may be spent on them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SteadyEffort {
+    /// Decimal digits of each entry, as parts of √(sᵢᵢ sⱼⱼ).
+    pub digits: u32,
+    /// The most bits of a number in the proof.
+    pub most_bits: u64,
+}
+
+impl Default for SteadyEffort {
+    /// 30 digits, with at most 4096 bits.
+    fn default() -> Self {
+        Self { digits: 30, most_bits: 1 << 12 }
+    }
+}
+
+/// The stabilising solution, its gain, and how fast the closed loop forgets: each entry lies in its interval.
+///
+/// # Examples
+///
+/// ```
+/// use exact_kalman::certify::{SteadyEffort, SteadyState};
+/// use exact_kalman::matrix::Matrix;
+/// use exact_kalman::model::UnifiedStep;
+/// use exact_kalman::scalar::ratio;
+///
+/// let one = Matrix::from_integers(&[[1]]);
+/// let walk = UnifiedStep {
+///     transition: one.clone(),
+///     observation: one.clone(),
+///     process_noise: one.clone(),
+///     cross_noise: Matrix::from_integers(&[[0]]),
+///     observation_noise: one,
+/// };
+/// let state = SteadyState::of(&walk, SteadyEffort::default())?;
+/// // The golden section: s² = s + 1.
+/// let least = state.solution[(0, 0)].lower().value().ok_or("long")?;
+/// assert!(&least * &least <= &least + ratio(1, 1) && least > ratio(1_618, 1_000));
+/// assert!(state.digits.is_none_or(|digits| digits >= 30));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SteadyState {
+    /// S, n×n.
+    pub solution: Matrix<Interval>,
+    /// `K = (A S Hᵀ + S₀)(H S Hᵀ + R)⁻¹`, n×m; a column of zeros for a sensor that repeats others.
+    pub gain: Matrix<Interval>,
+    /// `H S Hᵀ + R`, of the sensors that are kept.
+    pub innovation_covariance: Matrix<Interval>,
+    /// `S − S Hᵀ(H S Hᵀ + R)⁻¹H S`, n×n: what is left of S once y is known.
+    pub filtered_covariance: Matrix<Interval>,
+    /// `S Hᵀ(H S Hᵀ + R)⁻¹`, n×m: the gain of that.
+    pub filter_gain: Matrix<Interval>,
+    /// `A S Aᵀ + Q`, n×n: what S becomes without y.
+    pub open_covariance: Matrix<Interval>,
+    /// r² < 1, and the spectral radius of A − KH is at most r.
+    pub rate_squared: Dyadic,
+    /// Entries of S are known to so many decimal digits of √(sᵢᵢ sⱼⱼ); nothing if exactly.
+    pub digits: Option<u32>,
+    /// The bits that the proof took.
+    pub bits: u64,
+    /// The sensors that are used: the others repeat them, noise included.
+    pub kept: Vec<usize>,
+    /// What somebody else needs to check it.
+    #[cfg(feature = "judge")]
+    pub evidence: crate::verify::Stabilising,
+}
+
+/// Why there is no proof. None of this says that there is no stabilising solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unproved {
+    /// No T whitens H S Hᵀ + R, nearly.
+    #[error("the covariance of the innovation may be singular: not decided with {bits} bits")]
+    Singular {
+        /// The bits that were tried.
+        bits: u64,
+    },
+    /// Doubling found nothing.
+    #[error(
+        "the iterates from a large start do not come to rest: the closed loop may reach the unit circle, or there is no stabilising solution"
+    )]
+    Restless,
+    /// The set is not mapped into itself.
+    #[error("no set around the proposed solution is seen to be mapped into itself with {bits} bits")]
+    Bracket {
+        /// The bits that were tried.
+        bits: u64,
+    },
+    /// The closed loop is not seen to contract.
+    #[error("the closed loop at the proposed solution is not seen to contract with {bits} bits")]
+    Contraction {
+        /// The bits that were tried.
+        bits: u64,
+    },
+    /// The numbers of the model are too long for this, or there are too many.
+    #[error("the model is too large: {what}")]
+    TooLarge {
+        /// What is too large.
+        what: &'static str,
+    },
+}
+
+/// Bits beyond those of the digits.
+const MARGIN: u64 = 64;
+
+/// More states or sensors take too long.
+const MOST_STATES: usize = 200;
+
+/// Longer common denominators do.
+const MOST_DENOMINATOR_BITS: u64 = 1 << 16;
+
+/// Iterates that do not come to rest are given so many times the bits of the first trial.
+const RESTLESS: u64 = 4;
+
+impl SteadyState {
+    /// Proves it with as many bits as that takes.
+    ///
+    /// If the digits that are wanted are not reached with the bits that may be spent, those that are reached are returned.
+    ///
+    /// # Errors
+    ///
+    /// [`Unproved`], of the last trial.
+    ///
+    /// # Panics
+    ///
+    /// If the shapes of the matrices do not fit.
+    pub fn of(step: &UnifiedStep, effort: SteadyEffort) -> Result<Self, Unproved> {
+        if step.states().max(step.sensors()) > MOST_STATES {
+            return Err(Unproved::TooLarge { what: "more than 200 states or sensors" });
+        }
+        let first = (u64::from(effort.digits) * 10).div_ceil(3) + MARGIN;
+        let mut bits = first.min(effort.most_bits);
+        let sensors = step.sensors();
+        let all: Vec<usize> = (0..sensors).collect();
+        let (mut step, mut kept) = (step.clone(), all);
+        let mut best: Result<Self, Unproved> = Err(Unproved::Restless);
+        loop {
+            let equation = Equation::of(&step);
+            if equation.noise_odd.bits() > MOST_DENOMINATOR_BITS {
+                return Err(Unproved::TooLarge { what: "the common denominator of its numbers is too long" });
+            }
+            let tried = match Proposal::of(&step, bits) {
+                Ok(proposal) => Proof::of(&proposal, &equation, bits),
+                Err(Failure::Restless) => Err(Unproved::Restless),
+                Err(Failure::Singular) => {
+                    let (less, left) = without_repeated(&step);
+                    if left.len() < step.sensors() {
+                        kept = left.iter().map(|&place| kept[place]).collect();
+                        step = less;
+                        continue;
+                    }
+                    Err(Unproved::Singular { bits })
+                }
+            };
+            match tried {
+                Ok(proof) => {
+                    let state = Results { proof: &proof, equation: &equation, kept: &kept, sensors, bits }.state();
+                    if state.digits.is_none_or(|digits| digits >= effort.digits) {
+                        return Ok(state);
+                    }
+                    best = Ok(state);
+                }
+                Err(reason) => {
+                    if best.is_err() {
+                        best = Err(reason);
+                    }
+                    if reason == Unproved::Restless && bits >= RESTLESS * first {
+                        return best;
+                    }
+                }
+            }
+            if bits >= effort.most_bits {
+                return best;
+            }
+            bits = (2 * bits).min(effort.most_bits);
+        }
+    }
+}
