@@ -38,7 +38,7 @@ impl fmt::Display for Status {
     }
 }
 
-/// A paper that the specification covers.
+/// A paper that the specification covers, or this project.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Paper {
     /// Chen, Kumar, van Schuppen 1989.
@@ -51,12 +51,14 @@ pub enum Paper {
     SowersMakowski,
     /// Wang, Guo 1999.
     WangGuo,
+    /// None: statements of this project.
+    Own,
 }
 
 impl Paper {
     /// Every paper, in the order of the page.
-    pub const ALL: [Self; 5] =
-        [Self::ChenKumarVanSchuppen, Self::HilgertVila, Self::Anderson, Self::SowersMakowski, Self::WangGuo];
+    pub const ALL: [Self; 6] =
+        [Self::ChenKumarVanSchuppen, Self::HilgertVila, Self::Anderson, Self::SowersMakowski, Self::WangGuo, Self::Own];
 
     /// The letters with which its identifiers begin.
     pub const fn prefix(self) -> &'static str {
@@ -66,6 +68,7 @@ impl Paper {
             Self::Anderson => "AK",
             Self::SowersMakowski => "SM",
             Self::WangGuo => "WG",
+            Self::Own => "EK",
         }
     }
 
@@ -77,6 +80,7 @@ impl Paper {
             Self::Anderson => "Anderson, Kleindorfer, Kleindorfer, Woodroofe 1969",
             Self::SowersMakowski => "Sowers, Makowski 1988",
             Self::WangGuo => "Wang, Guo 1999",
+            Self::Own => "of this project",
         }
     }
 

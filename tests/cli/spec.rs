@@ -15,7 +15,7 @@ fn listed() -> Vec<(String, String)> {
 
 #[test]
 fn every_item_of_a_paper_is_listed() {
-    for paper in ["CKS", "HV", "AK", "SM", "WG"] {
+    for paper in ["CKS", "HV", "AK", "SM", "WG", "EK"] {
         let printed = run(&["spec", paper]).quietly(0);
         let expected = listed().into_iter().filter(|(id, _)| id.starts_with(&format!("{paper}-")));
         let found = printed.lines().map(|line| {
@@ -49,7 +49,7 @@ fn a_line_tells_how_an_item_is_held() {
 #[test]
 fn the_overview_counts() {
     let printed = run(&["spec"]).quietly(0);
-    for (line, paper) in printed.lines().skip(1).zip(["CKS", "HV", "AK", "SM", "WG"]) {
+    for (line, paper) in printed.lines().skip(1).zip(["CKS", "HV", "AK", "SM", "WG", "EK"]) {
         let of_paper: Vec<_> = listed().into_iter().filter(|(id, _)| id.starts_with(&format!("{paper}-"))).collect();
         let with = |status: &str| of_paper.iter().filter(|(_, own)| own == status).count();
         let counts = [of_paper.len(), with("implemented"), with("checked"), with("prose"), with("open")];
@@ -89,5 +89,5 @@ fn unknown_identifiers_are_refused_with_those_that_begin_alike() {
     let said = run(&["spec", concat!("CKS", "-1")]).trouble();
     assert!(said.contains("CKS-1a, CKS-1b") && said.trim_end().ends_with(", …"), "{said}");
     assert_eq!(run(&["spec", "cks-11"]).quietly(0), run(&["spec", "CKS-11"]).quietly(0));
-    assert!(run(&["spec", "XYZ"]).trouble().contains("CKS, HV, AK, SM, WG"));
+    assert!(run(&["spec", "XYZ"]).trouble().contains("CKS, HV, AK, SM, WG, EK"));
 }
