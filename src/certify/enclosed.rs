@@ -72,7 +72,7 @@ impl Enclosed {
     }
 }
 
-/// Entries of a symmetric matrix that lies between ± a gap: `|zᵢⱼ| ≤ √(wᵢᵢ wⱼⱼ)`.
+/// Entries of a symmetric matrix that lies between ± a gap (EK-L5): `|zᵢⱼ| ≤ √(wᵢᵢ wⱼⱼ)`.
 pub(super) fn intervals(matrix: &Dyadics, gap: &Dyadics, bits: u64) -> Matrix<Interval> {
     let diagonal = gap.diagonal();
     let roots: Vec<Dyadic> = diagonal.iter().map(root).collect();

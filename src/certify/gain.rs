@@ -1,4 +1,4 @@
-//! What a reading is multiplied by, enclosed: the gain, and the covariance of the state with the reading.
+//! What a reading is multiplied by, enclosed: the gain, and the covariance of the state with the reading (EK-D1).
 //!
 //! With D̄ ≥ (K − K̃) Σ (K − K̃)ᵀ, as `target` bounds it, and Σ⁻¹ ≤ TᵀT/κ,
 //!

@@ -1,4 +1,4 @@
-//! Rounding in the Loewner order.
+//! Rounding in the Loewner order (EK-L6).
 //!
 //! A symmetric error with `|errᵢⱼ| ≤ cᵢⱼ 2^(sᵢ+sⱼ)` lies between ± diag(2^(2sᵢ) Σⱼ cᵢⱼ), since
 //! `|vᵀ err v| ≤ Σᵢⱼ cᵢⱼ (2^(2sᵢ) vᵢ² + 2^(2sⱼ) vⱼ²)/2`. The scales s are those of the coordinates, so units do not matter: in others

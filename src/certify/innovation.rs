@@ -14,7 +14,7 @@ use crate::scalar::{Dyadic, Interval, Rational, Toward, ratio};
 
 /// Σ̃ = H P̃ Hᵀ + R and a T with T Σ̃ Tᵀ ≈ I.
 ///
-/// With `η ≥ ‖TΣ̃Tᵀ − I‖∞`, `w ≥ tr(T H W Hᵀ Tᵀ)` and κ = 1 − η − w > 0 every P with −W ≤ P − P̃ ≤ W has
+/// EK-L7: with `η ≥ ‖TΣ̃Tᵀ − I‖∞`, `w ≥ tr(T H W Hᵀ Tᵀ)` and κ = 1 − η − w > 0 every P with −W ≤ P − P̃ ≤ W has
 /// T Σ Tᵀ ≥ κ I, so Σ is regular and Σ⁻¹ ≤ TᵀT/κ.
 #[derive(Clone, Debug)]
 pub(super) struct Innovation {

@@ -1,4 +1,4 @@
-//! What a reading says for the model, enclosed: νᵀΣ⁻¹ν, det Σ, and the logarithm of the density.
+//! What a reading says for the model, enclosed: νᵀΣ⁻¹ν, det Σ, and the logarithm of the density (EK-D2, EK-D3).
 //!
 //! For any z, with r = ν̃ − Σ̃z and μ = 2zᵀν̃ − zᵀΣ̃z, completing the square gives
 //! `νᵀΣ⁻¹ν = 2zᵀν − zᵀΣz + (ν − Σz)ᵀ Σ⁻¹ (ν − Σz)`, and so, with `l = 2√(zᵀHEHᵀz) + zᵀHWHᵀz`,

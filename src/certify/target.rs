@@ -1,14 +1,14 @@
 //! The state after a step, enclosed.
 //!
-//! For any gain K̃, with `G = A − K̃H`, `ρ = K̃Σ̃ − Γ̃` and `J = G P̃ Gᵀ + [I −K̃] M [I −K̃]ᵀ` (the form of Joseph) at P̃:
+//! For any gain K̃, with `G = A − K̃H`, `ρ = K̃Σ̃ − Γ̃` and `J = G P̃ Gᵀ + [I −K̃] M [I −K̃]ᵀ` (the form of Joseph) at P̃ (EK-L1):
 //!
 //! > `φ(P) = J + G (P − P̃) Gᵀ − Δ`, `0 ≤ Δ ≤ (2/κ) (ρTᵀTρᵀ + w GWGᵀ)`
 //!
-//! since φ(P) is the least of all such forms at P, and Δ = (K̃ − K) Σ (K̃ − K)ᵀ. Hence
+//! since φ(P) is the least of all such forms at P, and Δ = (K̃ − K) Σ (K̃ − K)ᵀ (EK-L3). Hence (EK-T1)
 //!
 //! > `−W₊ ≤ φ(P) − J ≤ W₊ = (1 + 2w/κ) GWGᵀ + (2/κ) ρTᵀTρᵀ`
 //!
-//! The mean: x̂₊ − (A x̃ + b + K̃ν̃) = G e + (K − K̃)ν with e = x̂ − x̃, and the last term is a part in ρ and a part in GWGᵀ, each
+//! The mean (EK-T2): x̂₊ − (A x̃ + b + K̃ν̃) = G e + (K − K̃)ν with e = x̂ − x̃, and the last term is a part in ρ and a part in GWGᵀ, each
 //! at most τ² times what bounds Δ.
 
 use num_bigint::BigInt;

@@ -11,14 +11,14 @@ use crate::scalar::{Rational, ratio};
 /// radius below 1. All identities have been checked over the fractions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Absence {
-    /// N of full column rank, `A N = N Λ`, `H N = 0`, ρ(Λ) ≥ 1. Then `(A − K H) N = N Λ` for every gain K.
+    /// EK-T7a: N of full column rank, `A N = N Λ`, `H N = 0`, ρ(Λ) ≥ 1. Then `(A − K H) N = N Λ` for every gain K.
     Unobservable {
         /// N, n×k.
         basis: Matrix<Rational>,
         /// Λ, k×k.
         map: Matrix<Rational>,
     },
-    /// M of full row rank, `M A − Y H = Λ M`, `[M −Y] [[Q, S], [Sᵀ, R]] = 0`, and Λ has an eigenvalue on the unit circle. Then
+    /// EK-T7b: M of full row rank, `M A − Y H = Λ M`, `[M −Y] [[Q, S], [Sᵀ, R]] = 0`, and Λ has an eigenvalue on the unit circle. Then
     /// every such S has `u M K = u Y` and `u M (A − K H) = λ u M` for the left eigenvector u of Λ.
     Unreachable {
         /// M, k×n.

@@ -1,10 +1,10 @@
-//! The proof that a proposal is near the stabilising solution.
+//! The proof that a proposal is near the stabilising solution (EK-T5, EK-T6).
 //!
 //! At a point S̃ with a gain K̃, with G, J, κ, D̄ as in [`point`](super::point) and `W' = (1 + 2w/κ)GEGᵀ + (2/κ)ρTᵀTρᵀ`:
 //!
 //! > `E − W' ± (J − S̃) ≥ 0`
 //!
-//! makes φ map {P : −E ≤ P − S̃ ≤ E} into itself, since φ(P) − J lies between ±W'. It is monotone and continuous there, so it has
+//! makes φ map {P : −E ≤ P − S̃ ≤ E} into itself, since φ(P) − J lies between ±W'. It is monotone (EK-L4) and continuous there, so it has
 //! fixed points in it. And with `w_X ≥ tr(THXHᵀTᵀ)`, X > 0, β > 0 and r < 1,
 //!
 //! > `r²X − (1 + β)GXGᵀ − (1 + 1/β)(w_X/κ)D̄ ≥ 0`
