@@ -49,15 +49,11 @@ pub(super) fn cases(draw: Draw) -> Vec<Case> {
         Draft::new("long/thousands-of-a-walk", "a random walk of four thousand steps that hardly moves", &FLAGS)
             .noise("0.0009765625", "1")
             .reading(whole(331, 4000)),
-        Draft::new(
-            "long/thousands-of-a-radar",
-            "position and velocity, two thousand steps, with decimal data",
-            &FLAGS,
-        )
-        .starting("0 0", "100 0; 0 4")
-        .transition("1 0.1; 0 1")
-        .observation("1 0")
-        .noise("0.000003 0.00005; 0.00005 0.001", "0.25")
-        .reading(whole(332, 2000)),
+        Draft::new("long/thousands-of-a-radar", "position and velocity, two thousand steps, with decimal data", &FLAGS)
+            .starting("0 0", "100 0; 0 4")
+            .transition("1 0.1; 0 1")
+            .observation("1 0")
+            .noise("0.000003 0.00005; 0.00005 0.001", "0.25")
+            .reading(whole(332, 2000)),
     ]
 }
