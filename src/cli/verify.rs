@@ -18,9 +18,9 @@ use crate::verify::{
 
 const EXAMPLES: &str = "\
 Examples:
-  exact-kalman solve examples/cases/nile.json --certificate nile.certificate --digits 30
+  exact-kalman solve examples/certificates/nile.json --certificate nile.certificate --digits 30
   exact-kalman verify nile.certificate --last
-  exact-kalman verify nile.certificate --case examples/cases/nile.json
+  exact-kalman verify nile.certificate --case examples/certificates/nile.json
 
 The checker shares no code with what makes certificates, computes with integers alone, and needs as
 much memory for a million steps as for one. The format and the inequalities are described in
@@ -182,6 +182,10 @@ impl Verify {
                 members.extend([("digits", json!(digits)), ("least_digits_at", json!(at))]);
             }
             None => lines.push(("digits proved, at least".into(), "all: every number is exact".into())),
+        }
+        if case.initial.allow_indefinite {
+            let words = "may be indefinite: these are then numbers of the recursion, and no conditional moments";
+            lines.push(("the initial covariance".into(), words.into()));
         }
         if let Some(ProvedStep { predicted, filtered, ahead, .. }) = &last {
             let beliefs = [("predicted", Some(predicted)), ("filtered", Some(filtered)), ("ahead", ahead.as_ref())];

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::program::{Directory, Ran, feed, run, walk};
 
-const NILE: &str = "examples/cases/nile.json";
+const NILE: &str = "examples/certificates/nile.json";
 
 /// The certificate of a case, to so many digits.
 fn certified(directory: &Directory, case: &str, digits: &str) -> String {
@@ -37,7 +37,7 @@ fn digits_that_are_asked_for_are_proved() {
         assert!(exact.lines().any(|line| line.contains(name) && line.ends_with(entry)), "{name} {entry}\n{exact}");
     }
     let text = run(&["verify", &file, "--last"]).quietly(0);
-    assert!(text.contains("nile: verified\n") || text.contains(": verified\n"), "{text}");
+    assert!(text.starts_with("nile/wide: verified\n"), "{text}");
     assert!(text.contains("digits proved, at least") && text.contains("filtered_covariance"), "{text}");
 }
 
@@ -179,7 +179,9 @@ fn the_checker_in_python_agrees() {
             let changed = directory.file("changed", format!("{body}{end}\n"));
             let ours = run(&["verify", &changed]);
             let Some((theirs, said)) = python(&changed) else { return };
-            assert_eq!(ours.code == 0, theirs, "{number}: {} {said}", ours.stdout);
+            // A tiny whitening gives a κ that is positive, and lost where κ is rounded down: then this one rejects more.
+            let is_lost = ours.stdout.contains("regular innovation");
+            assert!((ours.code == 0) == theirs || (is_lost && theirs), "{number}: {} {said}", ours.stdout);
             rejected += usize::from(!theirs);
         }
     }
