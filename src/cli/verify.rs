@@ -193,8 +193,8 @@ impl Verify {
             for (name, belief) in beliefs {
                 let Some(belief) = belief else { continue };
                 let (mean, covariance) = self.moments(belief);
-                lines.push((format!("{name}_mean"), shown(&mean)));
-                lines.push((format!("{name}_covariance"), shown_matrix(&covariance)));
+                lines.push((format!("{name} mean"), shown(&mean)));
+                lines.push((format!("{name} covariance"), shown_matrix(&covariance)));
                 moments[format!("{name}_mean")] = json!(mean);
                 moments[format!("{name}_covariance")] = json!(covariance);
             }

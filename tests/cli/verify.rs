@@ -5,7 +5,7 @@ use std::process::Command;
 
 use serde_json::{Value, json};
 
-use crate::program::{Directory, Ran, feed, run, walk};
+use crate::program::{Directory, PROGRAM, Ran, feed, run, walk};
 
 const NILE: &str = "examples/certificates/nile.json";
 
@@ -34,11 +34,14 @@ fn digits_that_are_asked_for_are_proved() {
     for name in ["filtered_mean", "filtered_covariance", "predicted_mean"] {
         let entry = &found["last"][name];
         let entry = entry[0].as_str().or(entry[0][0].as_str()).expect("a number");
-        assert!(exact.lines().any(|line| line.contains(name) && line.ends_with(entry)), "{name} {entry}\n{exact}");
+        assert!(
+            exact.lines().any(|line| line.contains(&name.replace('_', " ")) && line.ends_with(entry)),
+            "{name} {entry}\n{exact}"
+        );
     }
     let text = run(&["verify", &file, "--last"]).quietly(0);
     assert!(text.starts_with("nile/wide: verified\n"), "{text}");
-    assert!(text.contains("digits proved, at least") && text.contains("filtered_covariance"), "{text}");
+    assert!(text.contains("digits proved, at least") && text.contains("filtered covariance"), "{text}");
 }
 
 #[test]
@@ -131,6 +134,24 @@ fn steady_states_are_verified() {
     assert!(run(&["verify", &directory.file("slow.json", line)]).quietly(1).starts_with("rejected: contraction"));
     let damaged = document(rate("1")).to_line().replace("\"rows\":[[\"3\"]]", "\"rows\":[[\"5\"]]");
     assert!(feed(&["verify", "-"], &damaged).quietly(1).starts_with("rejected: digest"));
+}
+
+/// The commands of the page print what stands there.
+#[test]
+fn the_page_is_true() {
+    let page = include_str!("../../docs/CERTIFICATES.md");
+    let directory = Directory::new();
+    std::os::unix::fs::symlink(concat!(env!("CARGO_MANIFEST_DIR"), "/examples"), directory.path().join("examples"))
+        .expect("a link");
+    let block = page.split("```console\n").nth(1).and_then(|rest| rest.split("```").next()).expect("a session");
+    let mut count = 0;
+    for session in block.split("$ exact-kalman ").skip(1) {
+        let (command, expected) = session.split_once('\n').expect("a command");
+        let output = Command::new(PROGRAM).args(command.split_whitespace()).current_dir(directory.path()).output();
+        assert_eq!(String::from_utf8_lossy(&output.expect("it runs").stdout), expected, "{command}");
+        count += 1;
+    }
+    assert_eq!(count, 2);
 }
 
 fn python(file: &str) -> Option<(bool, String)> {
