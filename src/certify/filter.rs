@@ -208,7 +208,7 @@ impl<'a> CertifiedFilter<'a> {
         }
         derived.name_into(&mut values);
         #[cfg(feature = "judge")]
-        self.witness.hold(self.done, &law.readings, predicted, &filtered, ahead.as_ref());
+        self.witness.hold(self.done, &law.readings, predicted.as_ref(), &filtered, ahead.as_ref());
         let step = CertifiedStep { values, innovation_rank: law.readings.kept.len(), derived };
         Ok((step, ahead.unwrap_or(filtered)))
     }

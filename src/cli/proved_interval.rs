@@ -55,7 +55,7 @@ mod tests {
             text(&[ratio(lower.0, lower.1), ratio(upper.0, upper.1)], most)
         };
         assert_eq!(of((1, 3), (1, 3), 5), "0.33333");
-        assert_eq!(of((33_331, 100_000), (33_334, 100_000), 17), "0.333");
+        assert_eq!(of((33_331, 100_000), (33_334, 100_000), 17), "0.3333");
         assert_eq!(of((-33_334, 100_000), (-33_331, 100_000), 2), "-0.33");
         assert_eq!(of((-1, 1000), (1, 1000), 17), "0±0.002");
         // Beside a tie: 0.1249… and 0.1250… are both 0.1, and neither 0.12 nor 0.13.

@@ -18,9 +18,9 @@ use crate::verify::{
 
 const EXAMPLES: &str = "\
 Examples:
-  exact-kalman solve examples/cases/nile.json --certificate nile.certificate --digits 30
+  exact-kalman solve examples/certificates/nile.json --certificate nile.certificate --digits 30
   exact-kalman verify nile.certificate --last
-  exact-kalman verify nile.certificate --case examples/cases/nile.json
+  exact-kalman verify nile.certificate --case examples/certificates/nile.json
 
 The checker shares no code with what makes certificates, computes with integers alone, and needs as
 much memory for a million steps as for one. The format and the inequalities are described in
@@ -183,14 +183,18 @@ impl Verify {
             }
             None => lines.push(("digits proved, at least".into(), "all: every number is exact".into())),
         }
+        if case.initial.allow_indefinite {
+            let words = "may be indefinite: these are then numbers of the recursion, and no conditional moments";
+            lines.push(("the initial covariance".into(), words.into()));
+        }
         if let Some(ProvedStep { predicted, filtered, ahead, .. }) = &last {
             let beliefs = [("predicted", Some(predicted)), ("filtered", Some(filtered)), ("ahead", ahead.as_ref())];
             let mut moments = json!({});
             for (name, belief) in beliefs {
                 let Some(belief) = belief else { continue };
                 let (mean, covariance) = self.moments(belief);
-                lines.push((format!("{name}_mean"), shown(&mean)));
-                lines.push((format!("{name}_covariance"), shown_matrix(&covariance)));
+                lines.push((format!("{name} mean"), shown(&mean)));
+                lines.push((format!("{name} covariance"), shown_matrix(&covariance)));
                 moments[format!("{name}_mean")] = json!(mean);
                 moments[format!("{name}_covariance")] = json!(covariance);
             }

@@ -92,6 +92,6 @@ fn repeated(equation: &SteadyEquation) -> (Step<Rational>, Timing) {
 fn root_above(square: &Rational) -> Rational {
     let (over, under) = (square.numer(), square.denom());
     let places = 64 + under.bits().saturating_sub(over.bits());
-    let root: BigInt = (over * under << (2 * places)).sqrt() + 1;
+    let root: BigInt = ((over * under) << (2 * places)).sqrt() + 1;
     Rational::new(root, under << places)
 }

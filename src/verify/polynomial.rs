@@ -66,7 +66,7 @@ pub(super) fn at_ends(p: &[BigInt]) -> [BigInt; 2] {
 ///
 /// `z^j + z^−j = t_j(c)`, with `t₀ = 2`, `t₁ = c`, `t_{j+1} = c t_j − t_{j−1}`.
 pub(super) fn folded_at(p: &[BigInt], c: &Rational) -> Option<BigInt> {
-    if p.len() % 2 == 0 || p.iter().ne(p.iter().rev()) {
+    if p.len().is_multiple_of(2) || p.iter().ne(p.iter().rev()) {
         return None;
     }
     let d = p.len() / 2;

@@ -12,6 +12,7 @@
 //! proves that every P among them has a closed loop of spectral radius r at most, so that there is only one fixed point, and no other
 //! anywhere that has such a loop.
 
+use num_bigint::{BigInt, Sign};
 use num_traits::Signed;
 
 use super::belief::Belief;
@@ -55,8 +56,11 @@ pub enum ProvedSteady {
 /// The largest matrix Λ.
 const MOST_MODES: usize = 64;
 
-/// The most characters of a fraction.
-const MOST_CHARACTERS: usize = 1 << 16;
+/// The most characters of a rational matrix.
+const MOST_CHARACTERS: usize = 1 << 18;
+
+/// The most products of words for a characteristic polynomial, about.
+const MOST_WORK: u128 = 1 << 36;
 
 /// Checks what is said of a step that is repeated for ever; of the reading, only its dimension counts.
 ///
@@ -144,7 +148,7 @@ fn check_unobservable(
     check_rank(&basis.transposed(), modes)?;
     check_zero(&law.observation.times(&basis), "H N = 0")?;
     check_zero(&target.map.times(&basis).minus(&basis.times(&map)), "A N = N Λ")?;
-    if !reaches_circle(characteristic(&map)) {
+    if !reaches_circle(polynomial(&map)?) {
         return Err(wrong(Condition::Eigenvalue, "all eigenvalues of Λ have moduli below 1"));
     }
     Ok(ProvedSteady::Unobservable { modes })
@@ -168,14 +172,14 @@ fn check_unreachable(
     check_zero(&basis.times(&target.cross).minus(&injection.times(&law.noise)), "M S = Y R")?;
     let moved = basis.times(&target.map).minus(&injection.times(&law.observation));
     check_zero(&moved.minus(&map.times(&basis)), "M A − Y H = Λ M")?;
-    let polynomial = characteristic(&map);
+    let polynomial = polynomial(&map)?;
     let is_on_circle = match between {
-        None => at_ends(&polynomial).iter().any(|value| value.sign() == num_bigint::Sign::NoSign),
+        None => at_ends(&polynomial).iter().any(|value| value.sign() == Sign::NoSign),
         Some(ends) => {
             let mut signs = Vec::with_capacity(2);
             for end in ends {
                 let end = fraction("between", end)?;
-                if end.abs() > Rational::from(num_bigint::BigInt::from(2)) {
+                if end.abs() > Rational::from(BigInt::from(2)) {
                     return Err(wrong(Condition::Eigenvalue, "`between` does not lie in [−2, 2]"));
                 }
                 let value = folded_at(&polynomial, &end).ok_or_else(|| {
@@ -186,7 +190,7 @@ fn check_unreachable(
                 })?;
                 signs.push(value.sign());
             }
-            signs.contains(&num_bigint::Sign::NoSign) || signs.first() != signs.last()
+            signs.contains(&Sign::NoSign) || signs.first() != signs.last()
         }
     };
     if !is_on_circle {
@@ -200,6 +204,15 @@ fn modes(map: &RationalRows) -> Result<usize, Rejection> {
         modes @ 1..=MOST_MODES => Ok(modes),
         modes => Err(wrong(Condition::Size, format!("Λ has {modes} rows; from 1 to {MOST_MODES} are checked"))),
     }
+}
+
+/// The characteristic polynomial of Λ, if that is not too much work.
+fn polynomial(map: &Table) -> Result<Vec<BigInt>, Rejection> {
+    let [modes, words] = [map.rows as u128, u128::from(map.magnitude() / 64 + 1)];
+    if modes.pow(5) * words * words <= MOST_WORK {
+        return Ok(characteristic(map));
+    }
+    Err(wrong(Condition::Size, "Λ is too large, or its entries too long, for its characteristic polynomial"))
 }
 
 fn check_rank(rows: &Table, modes: usize) -> Result<(), Rejection> {
@@ -217,6 +230,9 @@ fn read(name: &str, matrix: &RationalRows, rows: usize, columns: usize) -> Resul
     if matrix.0.len() != rows || matrix.0.iter().any(|row| row.len() != columns) {
         return Err(wrong(Condition::Shape, format!("`{name}` is not {rows}×{columns}")));
     }
+    if matrix.0.iter().flatten().map(String::len).sum::<usize>() > MOST_CHARACTERS {
+        return Err(wrong(Condition::Size, format!("`{name}` has more than {MOST_CHARACTERS} characters")));
+    }
     let entries: Vec<Rational> =
         matrix.0.iter().flatten().map(|text| fraction(name, text)).collect::<Result<_, _>>()?;
     Ok(Table::of(rows, columns, |i, j| &entries[i * columns + j]))
@@ -228,7 +244,7 @@ fn fraction(name: &str, text: &str) -> Result<Rational, Rejection> {
         let digits = if may_be_negative { text.strip_prefix('-').unwrap_or(text) } else { text };
         let is_plain =
             !digits.is_empty() && digits.len() <= MOST_CHARACTERS && digits.bytes().all(|it| it.is_ascii_digit());
-        is_plain.then(|| text.parse::<num_bigint::BigInt>().ok()).flatten()
+        is_plain.then(|| text.parse::<BigInt>().ok()).flatten()
     };
     let (over, under) = text.split_once('/').unwrap_or((text, "1"));
     match (integer(over, true), integer(under, false)) {
