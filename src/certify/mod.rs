@@ -7,27 +7,33 @@
 mod accuracy;
 mod ahead;
 mod derived;
+#[cfg(feature = "judge")]
 mod digits;
 mod dyadics;
 mod enclosed;
 mod filter;
 mod gain;
 mod grid;
+mod groups;
 mod growth;
 mod innovation;
 mod law;
 mod likelihood;
+#[cfg(feature = "judge")]
 mod raised;
 mod readings;
+mod standing;
 mod target;
 mod tiers;
 mod whitening;
 
 pub use derived::Derived;
+#[cfg(feature = "judge")]
 pub use digits::Digits;
 pub use filter::{CertifiedFilter, CertifiedStep};
 pub use growth::Growth;
 pub use likelihood::EnclosedLikelihood;
+#[cfg(feature = "judge")]
 pub use raised::{RaisedFilter, Short};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
 
