@@ -1,4 +1,4 @@
-//! The README's console sessions print what they say.
+//! The console sessions of the README and of the page of `solve` print what they say.
 #![cfg(feature = "cli")]
 
 use std::process::Command;
@@ -15,8 +15,9 @@ fn sessions(page: &str) -> Vec<(String, String)> {
 
 #[test]
 fn console_sessions_are_true() -> Result<(), std::io::Error> {
-    let sessions = sessions(include_str!("../README.md"));
-    assert!(sessions.len() >= 2);
+    let pages = [include_str!("../README.md"), include_str!("../docs/SOLVE.md")].map(sessions);
+    assert!(pages[0].len() >= 2 && !pages[1].is_empty());
+    let sessions = pages.concat();
     for (command, expected) in sessions {
         let output = Command::new(env!("CARGO_BIN_EXE_exact-kalman"))
             .args(command.split_whitespace())

@@ -1,6 +1,7 @@
 //! The laws of the next states, enclosed: steps at which nothing is read.
 
 use super::enclosed::Enclosed;
+use super::groups::Groups;
 use super::law::Law;
 use super::target::moved;
 use crate::model::{PathAhead, Timing, Transition};
@@ -27,10 +28,12 @@ impl<'a> Ahead<'a> {
         next: usize,
         filtered: &Enclosed,
         departed: Option<&Enclosed>,
+        groups: &Groups,
         bits: u64,
     ) -> Vec<Moments<Interval>> {
         let steps = self.path.steps_ahead().get();
-        let mut laws: Vec<Moments<Interval>> = departed.iter().map(|belief| moments(belief, bits)).collect();
+        let mut laws: Vec<Moments<Interval>> = departed.iter().map(|belief| moments(belief, groups, bits)).collect();
+        let mut groups = groups.clone();
         let mut last = match (departed, self.path.path().timing()) {
             (Some(belief), _) => belief.clone(),
             (None, Timing::Arriving) => filtered.clone(),
@@ -40,7 +43,8 @@ impl<'a> Ahead<'a> {
             && let Some(transition) = self.path.transition_into(next + laws.len())
         {
             last = self.after(transition, &last, bits);
-            laws.push(moments(&last, bits));
+            groups = groups.moved(transition);
+            laws.push(moments(&last, &groups, bits));
         }
         laws
     }
@@ -55,6 +59,8 @@ impl<'a> Ahead<'a> {
     }
 }
 
-fn moments(belief: &Enclosed, bits: u64) -> Moments<Interval> {
-    Moments { mean: belief.mean_intervals(bits), covariance: belief.covariance_intervals(bits), diffuse: None }
+fn moments(belief: &Enclosed, groups: &Groups, bits: u64) -> Moments<Interval> {
+    let mut covariance = belief.covariance_intervals(bits);
+    groups.apart(&mut covariance);
+    Moments { mean: belief.mean_intervals(bits), covariance, diffuse: None }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::CertifiedStep;
+use super::standing::Standing;
 use crate::matrix::Matrix;
 use crate::protocol::Decimal;
 use crate::scalar::{Dyadic, Interval, Rational, Toward};
@@ -87,17 +88,6 @@ fn proved(interval: &Interval, digits: u32) -> Option<Decimal> {
         return interval.lower().value().map(|value| Decimal::rounded(&value, digits));
     }
     Decimal::of_interval(interval, digits)
-}
-
-/// What is to be done with a step of which so many digits are wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Standing {
-    /// All are proved.
-    Proved,
-    /// More bits may prove them.
-    Short,
-    /// All are known to many more digits of their units, but some may be zero, or ties.
-    Tied,
 }
 
 impl CertifiedStep {

@@ -4,6 +4,7 @@ use super::ahead::Ahead;
 use super::derived::{Asked, Derived};
 use super::enclosed::Enclosed;
 use super::grid::BOUND_BITS;
+use super::groups::Groups;
 use super::innovation::Innovation;
 use super::law::Law;
 use super::{Undecided, target};
@@ -102,6 +103,8 @@ pub struct CertifiedFilter<'a> {
     pub(super) belief: Option<Enclosed>,
     law: Option<(&'a Step<Rational>, bool, Law)>,
     done: usize,
+    /// Which states are independent.
+    groups: Groups,
     asked: Option<Asked>,
     ahead: Option<Ahead<'a>>,
     #[cfg(feature = "judge")]
@@ -114,12 +117,14 @@ impl<'a> CertifiedFilter<'a> {
         let initial = path.initial();
         let is_diffuse = initial.diffuse.iter().any(|part| !part.is_zero());
         let belief = (!is_diffuse).then(|| Enclosed::of(&initial.mean, &initial.covariance, bits));
+        let groups = Groups::of(&initial.covariance);
         Self {
             path,
             bits,
             belief,
             law: None,
             done: 0,
+            groups,
             asked: None,
             ahead: None,
             #[cfg(feature = "judge")]
@@ -135,7 +140,8 @@ impl<'a> CertifiedFilter<'a> {
         (mean, covariance): (&Matrix<Rational>, &Matrix<Rational>),
         bits: u64,
     ) -> Self {
-        Self { belief: Some(Enclosed::of(mean, covariance, bits)), done, ..Self::new(path, bits) }
+        let belief = Some(Enclosed::of(mean, covariance, bits));
+        Self { belief, done, groups: Groups::of(covariance), ..Self::new(path, bits) }
     }
 
     /// The same filter, of whose steps everything is wanted: also the gain, the covariance of state and reading, and the
@@ -203,12 +209,15 @@ impl<'a> CertifiedFilter<'a> {
             }
             targets
         };
+        let linked = self.groups.linked(step, timing, arrives);
         if let Some(predictor) = &mut self.ahead {
-            derived.ahead = predictor.laws(self.done + 1, &filtered, ahead.as_ref(), bits);
+            derived.ahead = predictor.laws(self.done + 1, &filtered, ahead.as_ref(), &linked.next, bits);
         }
         derived.name_into(&mut values);
         #[cfg(feature = "judge")]
         self.witness.hold(self.done, &law.readings, predicted.as_ref(), &filtered, ahead.as_ref());
+        linked.into_blocks(&mut values, &mut derived);
+        self.groups = linked.next;
         let step = CertifiedStep { values, innovation_rank: law.readings.kept.len(), derived };
         Ok((step, ahead.unwrap_or(filtered)))
     }

@@ -10,18 +10,22 @@ mod ahead;
 #[cfg(feature = "judge")]
 mod certificate;
 mod derived;
+#[cfg(feature = "judge")]
 mod digits;
 mod dyadics;
 mod enclosed;
 mod filter;
 mod gain;
 mod grid;
+mod groups;
 mod growth;
 mod innovation;
 mod law;
 mod likelihood;
+#[cfg(feature = "judge")]
 mod raised;
 mod readings;
+mod standing;
 mod steady;
 mod target;
 mod tiers;
@@ -30,10 +34,12 @@ mod words;
 
 pub use absence::{Absence, Existence, Unknown};
 pub use derived::Derived;
+#[cfg(feature = "judge")]
 pub use digits::Digits;
 pub use filter::{CertifiedFilter, CertifiedStep};
 pub use growth::Growth;
 pub use likelihood::EnclosedLikelihood;
+#[cfg(feature = "judge")]
 pub use raised::{RaisedFilter, Short};
 pub use steady::{SteadyEffort, SteadyState, Unproved};
 pub use tiers::{TieredFilter, TieredStep, Tiers};

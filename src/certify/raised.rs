@@ -2,7 +2,8 @@
 
 use std::iter::Skip;
 
-use super::digits::{Standing, bits_for};
+use super::digits::bits_for;
+use super::standing::Standing;
 use super::{CertifiedFilter, CertifiedStep};
 use crate::model::{Path, PathAhead};
 use crate::scalar::Rational;

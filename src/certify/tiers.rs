@@ -2,8 +2,8 @@
 
 use std::iter::Skip;
 
-use super::digits::{Standing, bits_for};
 use super::filter::CertifiedStep;
+use super::standing::Standing;
 use super::{CertifiedFilter, Undecided};
 use crate::filter::{Effort, RationalFilter, RationalStep, StepValues, StopReason};
 use crate::matrix::{Fractions, Matrix};
@@ -63,12 +63,14 @@ pub struct TieredFilter<'a> {
     patient_until: usize,
     /// After an error there is nothing more.
     ended: bool,
-    /// The decimal digits that each entry of an enclosed step must prove, if it is to be printed.
-    digits: Option<u32>,
+    /// How it is found whether an enclosed step can be printed, with so many digits.
+    digits: Option<(Proof, u32)>,
 }
 
 /// Beyond this power of two, up or down, no double lies by far, and fractions take too much memory.
 const FARTHEST: u64 = 1 << 14;
+
+type Proof = fn(&CertifiedStep, u32) -> Standing;
 
 type Belief = (Matrix<Rational>, Matrix<Rational>);
 
@@ -94,11 +96,12 @@ impl<'a> TieredFilter<'a> {
 
     /// The filter for numbers that are printed: steps are enclosed where so many decimal digits of every entry are proved, else
     /// exact. Its numbers are of any size.
+    #[cfg(feature = "judge")]
     pub fn to_digits(path: &'a Path<Rational>, digits: u32, most_bits: u64, maximal_bits: Option<u64>) -> Self {
-        let bits = bits_for(digits).min(most_bits);
+        let bits = super::digits::bits_for(digits).min(most_bits);
         let exact_bits = (4 * bits).max(Tiers::default().exact_bits);
         let tiers = Tiers { exact_bits, bits, most_bits, accuracy: 0, maximal_bits };
-        Self { digits: Some(digits), ..Self::new(path, tiers) }
+        Self { digits: Some((CertifiedStep::standing, digits)), ..Self::new(path, tiers) }
     }
 
     /// The length of the numbers of the last step: denominators, or the bits of enclosures.
@@ -180,7 +183,7 @@ impl TieredFilter<'_> {
         if let Some(bits) = step.magnitude().filter(|bits| *bits > FARTHEST) {
             return Found::TooFar(bits);
         }
-        match self.digits.map(|digits| step.standing(digits)) {
+        match self.digits.map(|(standing, digits)| standing(&step, digits)) {
             None | Some(Standing::Proved) => Found::Enough(Box::new(step)),
             Some(Standing::Short) => Found::Short,
             Some(Standing::Tied) => Found::Tied,

@@ -28,7 +28,7 @@ Examples:
   exact-kalman solve examples/cases/walk.json --exact             as fractions
   exact-kalman solve examples/cases/walk.json --trace             every named quantity
   exact-kalman solve examples/cases/nile.json --last --ahead 3    and the next three states
-  exact-kalman solve examples/cases/walk.json --tier certified    enclosures alone, of the same digits
+  exact-kalman solve examples/cases/walk.json --tier certified    by enclosures alone
   exact-kalman cases --only basic --format json | exact-kalman solve - --format json
 
 Each step is printed as soon as it is known. Ctrl-C stops: what is known by then is printed, with a note

@@ -57,7 +57,8 @@ fn endless(directory: &Directory, more: &[String]) -> String {
 #[test]
 fn steps_that_are_known_are_printed() {
     let directory = Directory::new();
-    let mut child = started(&["solve", &endless(&directory, &[walk("next", &["1"])]), "--digits", "3"]);
+    let mut child =
+        started(&["solve", &endless(&directory, &[walk("next", &["1"])]), "--digits", "3", "--tier", "exact"]);
     let (mut read, mut out) = (String::new(), BufReader::new(child.stdout.take().expect("it is piped")));
     // It is printed while the next ones are computed.
     out.read_line(&mut read).expect("it can be read");
@@ -78,7 +79,7 @@ fn steps_that_are_known_are_printed() {
 #[test]
 fn an_interrupted_answer_is_an_answer() {
     let directory = Directory::new();
-    let mut child = started(&["solve", &endless(&directory, &[]), "--format", "json"]);
+    let mut child = started(&["solve", &endless(&directory, &[]), "--format", "json", "--tier", "exact"]);
     let (mut read, mut out) = (vec![0; 9], BufReader::new(child.stdout.take().expect("it is piped")));
     out.read_exact(&mut read).expect("it can be read");
     ctrl_c(&child);
@@ -102,7 +103,7 @@ fn the_last_step_that_is_known() {
     let directory = Directory::new();
     let cases = endless(&directory, &[]);
     for more in [&[][..], &["--trace"], &["--ahead", "2"]] {
-        let mut child = started(&[&["solve", &cases, "--last"], more].concat());
+        let mut child = started(&[&["solve", &cases, "--last", "--tier", "exact"], more].concat());
         listening(&child);
         let out = BufReader::new(child.stdout.take().expect("it is piped"));
         ctrl_c(&child);
@@ -207,7 +208,7 @@ fn judging_saved_answers_can_be_interrupted() {
 fn a_closed_pipe_ends_a_long_run_quietly() {
     let directory = Directory::new();
     let cases = endless(&directory, &[]);
-    for more in [&[][..], &["--format", "json"], &["--trace"]] {
+    for more in [&[][..], &["--format", "json"], &["--trace"], &["--tier", "exact"]] {
         let mut child = started(&[&["solve", &cases], more].concat());
         let mut out = child.stdout.take().expect("it is piped");
         out.read_exact(&mut [0; 9]).expect("it can be read");

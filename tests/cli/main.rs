@@ -21,5 +21,6 @@ mod reproduce;
 mod solve;
 mod spec;
 mod stability;
+mod tiers;
 mod verdicts;
 mod verify;
