@@ -24,6 +24,8 @@ mod quadrature;
 mod random_modes;
 mod rational_routes;
 mod residues;
+#[cfg(feature = "judge")]
+mod steady;
 mod systems;
 mod timing;
 mod tower;
