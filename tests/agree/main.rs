@@ -25,6 +25,8 @@ mod quadrature;
 mod random_modes;
 mod rational_routes;
 mod residues;
+#[cfg(feature = "judge")]
+mod steady;
 mod systems;
 mod timing;
 mod tower;

@@ -21,4 +21,5 @@ mod reproduce;
 mod solve;
 mod spec;
 mod stability;
+mod steady;
 mod verdicts;
