@@ -7,6 +7,7 @@ mod bayes;
 mod bayes_digits;
 mod beyond;
 mod certified;
+mod dare;
 mod diffuse;
 mod draws;
 mod feedback;
