@@ -4,7 +4,7 @@ Every peer takes `X = A'XA - (A'XB + S)(R + B'XB)^-1 (B'XA + S') + Q` as arrays 
 answered. A peer that is not installed raises `Missing` when it is made.
 """
 
-import json
+
 import shutil
 import subprocess
 import tempfile
@@ -151,5 +151,3 @@ def doubled(a, b, q, r, s, bits):
     raise ValueError("doubling did not converge")
 
 
-if __name__ == "__main__":
-    print(json.dumps([Scipy().version, Octave().version]))

@@ -7,6 +7,7 @@ mod bayes;
 mod bayes_digits;
 mod beyond;
 mod certified;
+mod dare;
 mod derived;
 mod diffuse;
 mod draws;
@@ -27,6 +28,8 @@ mod random_modes;
 mod rational_routes;
 mod residues;
 mod squares;
+#[cfg(feature = "judge")]
+mod steady;
 mod systems;
 mod timing;
 mod tower;

@@ -21,6 +21,7 @@ mod reproduce;
 mod solve;
 mod spec;
 mod stability;
+mod steady;
 mod tiers;
 mod verdicts;
 mod verify;

@@ -17,6 +17,7 @@ mod page;
 mod samples;
 mod schema;
 mod stability_model;
+mod steady_model;
 #[cfg(target_os = "linux")]
 mod subjects;
 #[cfg(target_os = "linux")]

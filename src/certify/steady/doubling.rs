@@ -24,6 +24,8 @@ pub(super) struct Proposal {
     pub(super) rows: Rows,
     pub(super) units: Vec<i64>,
     pub(super) places: u64,
+    /// Whether variances may be negative, since weights are.
+    is_signed: bool,
 }
 
 /// Why there is none.
@@ -88,7 +90,7 @@ impl Proposal {
     pub(super) fn sizes(&self) -> Vec<Option<i64>> {
         let size = |i: usize| {
             let variance = &self.rows[i][i];
-            let counts = variance.is_positive() && variance.bits() > self.places / 4;
+            let counts = (self.is_signed || variance.is_positive()) && variance.bits() > self.places / 4;
             counts.then(|| i64::try_from(variance.bits()).unwrap_or(i64::MAX))
         };
         (0..self.rows.len()).map(size).collect()
@@ -124,7 +126,8 @@ impl Proposal {
             excess = minus(&excess, &symmetric_product(&gain, &gamma, places));
         }
         let solution = doubled(transposed(&closed, n), seen, excess, places).ok_or(Failure::Restless)?;
-        Ok(Self { rows: plus(&solution, &identity(n, places)), units: units.to_vec(), places })
+        let is_signed = (0..n).any(|i| step.process_noise[(i, i)].is_negative());
+        Ok(Self { rows: plus(&solution, &identity(n, places)), units: units.to_vec(), places, is_signed })
     }
 }
 

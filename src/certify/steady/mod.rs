@@ -12,6 +12,8 @@ mod point;
 mod proof;
 mod results;
 mod series;
+#[cfg(all(test, feature = "judge"))]
+mod tests;
 #[cfg(feature = "judge")]
 mod witness;
 

@@ -81,7 +81,9 @@ impl Proof {
     pub(super) fn accuracy(&self) -> Option<i64> {
         let pairs = self.reading.point.diagonal().into_iter().zip(self.gap.diagonal());
         let known = pairs.filter(|(_, gap)| !gap.is_zero()).map(|(variance, gap)| {
-            let least = variance.plus(&gap.negated(), BOUND_BITS, Toward::Below);
+            // Indefinite weights may have a solution with negative entries there.
+            let size = if variance.is_negative() { variance.negated() } else { variance };
+            let least = size.plus(&gap.negated(), BOUND_BITS, Toward::Below);
             if least.is_negative() || least.is_zero() {
                 return 0;
             }
