@@ -1,5 +1,6 @@
 //! Every algorithm by two routes: recursion, one-shot conditioning, other scalars, exact finite laws.
 
+mod absence;
 mod ahead;
 mod averages;
 mod bayes;

@@ -64,7 +64,8 @@ fn unobservable_in<F: Remainder>(step: &UnifiedStep, dimensions: usize) -> Found
     }
     let paired = Paired::of(&all);
     if let Some(fixed) = paired.fixed(&all) {
-        return fixed.unobserved(step).map_or(Found::Unknown, |rows| Found::proof(Absence::unobservable(&rows)));
+        let exact = fixed.unobserved(step).filter(is_fixed);
+        return exact.map_or(Found::Unknown, |rows| Found::proof(Absence::unobservable(&rows)));
     }
     if paired.divisor.degree() > 0 {
         // Of z and 1/z one has modulus 1 or more.
@@ -97,7 +98,8 @@ fn unreachable_in<F: Remainder>(step: &UnifiedStep, dimensions: usize) -> Found 
         return nothing;
     }
     if let Some(fixed) = paired.fixed(&all) {
-        return fixed.unreached(step).map_or(Found::Unknown, |rows| Found::proof(Absence::unreachable(rows, None)));
+        let exact = fixed.unreached(step).filter(is_fixed);
+        return exact.map_or(Found::Unknown, |rows| Found::proof(Absence::unreachable(rows, None)));
     }
     let part = all.annihilated(&paired.divisor.square_free()).cyclic();
     let Some(rows) = part.unreached(step) else { return Found::Unknown };
@@ -110,6 +112,11 @@ fn unreachable_in<F: Remainder>(step: &UnifiedStep, dimensions: usize) -> Found 
     }
     let part = all.annihilated(&paired.divisor);
     if is_all_off_circle(&part, &paired.divisor, step) { nothing } else { Found::Unknown }
+}
+
+/// Whether the map is 1 or −1, not only modulo the prime.
+fn is_fixed(rows: &Invariant<Rational>) -> bool {
+    rows.map.entries().iter().all(|entry| *entry == ratio(1, 1) || *entry == ratio(-1, 1))
 }
 
 /// Whether the rows that the divisor annihilates show that it is the image of the divisor over the fractions, and that this has no
