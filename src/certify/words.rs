@@ -16,7 +16,7 @@ struct Words {
     rows: usize,
     columns: usize,
     length: usize,
-    words: Vec<u64>,
+    magnitudes: Vec<u64>,
     negative: Vec<bool>,
 }
 
@@ -45,19 +45,19 @@ impl Words {
     }
 
     fn pack<'e>(rows: usize, columns: usize, entries: impl Iterator<Item = &'e BigInt>, length: usize) -> Self {
-        let mut words = Vec::with_capacity(rows * columns * length);
+        let mut magnitudes = Vec::with_capacity(rows * columns * length);
         let mut negative = Vec::with_capacity(rows * columns);
         for entry in entries {
-            words.extend(entry.magnitude().iter_u64_digits());
+            magnitudes.extend(entry.magnitude().iter_u64_digits());
             negative.push(entry.sign() == Sign::Minus);
-            words.resize(negative.len() * length, 0);
+            magnitudes.resize(negative.len() * length, 0);
         }
-        Self { rows, columns, length, words, negative }
+        Self { rows, columns, length, magnitudes, negative }
     }
 
     fn integer(&self, row: usize, column: usize) -> Integer<'_> {
         let place = row * self.columns + column;
-        let words = &self.words[place * self.length..(place + 1) * self.length];
+        let words = &self.magnitudes[place * self.length..(place + 1) * self.length];
         let leading = words.iter().rev().take_while(|&&word| word == 0).count();
         Integer { words: &words[..self.length - leading], negative: self.negative[place] }
     }
@@ -67,12 +67,12 @@ impl Words {
         let (rows, columns) = (self.rows, other.rows);
         // The last word takes the carries of all sums, and the sign.
         let length = self.length + other.length + 1;
-        let mut words = vec![0; rows * columns * length];
+        let mut magnitudes = vec![0; rows * columns * length];
         let mut negative = vec![false; rows * columns];
         for i in 0..rows {
             for j in 0..if is_symmetric { i + 1 } else { columns } {
                 let place = i * columns + j;
-                let sum = &mut words[place * length..(place + 1) * length];
+                let sum = &mut magnitudes[place * length..(place + 1) * length];
                 for k in 0..self.columns {
                     add_product(sum, self.integer(i, k), other.integer(j, k));
                 }
@@ -82,7 +82,7 @@ impl Words {
                 }
             }
         }
-        Self { rows, columns, length, words, negative }
+        Self { rows, columns, length, magnitudes, negative }
     }
 
     fn unpacked(&self, row: usize, column: usize) -> BigInt {
