@@ -194,8 +194,7 @@ fn the_checker_in_python_agrees() {
         for (number, (place, _)) in at.match_indices("\"exponent\":-").enumerate().filter(|(number, _)| number % 4 == 0)
         {
             let changed = format!("{}\"exponent\":-1{}", &at[..place], &at[place + 12..]);
-            let body: String =
-                text.lines().take(count - 2).chain([&*changed]).map(|line| format!("{line}\n")).collect();
+            let body = text.lines().take(count - 2).chain([&*changed]).collect::<Vec<_>>().join("\n") + "\n";
             let end = json!({"steps": count - 2, "sha256": digest(body.as_bytes())});
             let changed = directory.file("changed", format!("{body}{end}\n"));
             let ours = run(&["verify", &changed]);
@@ -210,6 +209,11 @@ fn the_checker_in_python_agrees() {
 }
 
 fn digest(bytes: &[u8]) -> String {
+    use std::fmt::Write as _;
+
     use sha2::{Digest as _, Sha256};
-    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+    Sha256::digest(bytes).iter().fold(String::new(), |mut digits, byte| {
+        let _ = write!(digits, "{byte:02x}");
+        digits
+    })
 }

@@ -42,7 +42,7 @@ fn lines_are_checked_one_by_one() {
     assert_eq!(verified(text.trim_end()), Ok(4));
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(lines.len(), 6);
-    let joined = |lines: &[&str]| lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    let joined = |lines: &[&str]| lines.join("\n") + "\n";
     let changed = |change: &dyn Fn(&mut Vec<&str>)| {
         let mut lines = lines.clone();
         change(&mut lines);

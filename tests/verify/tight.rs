@@ -148,6 +148,7 @@ fn sensors() -> Q {
 }
 
 /// Whether the claim about one target with a slip is accepted. k is that of α.
+#[allow(clippy::too_many_lines, reason = "the inequalities as they stand on the page")]
 fn checked(timing: Timing, is_ahead: bool, slip: Slip, k: i32) -> Result<(), Rejection> {
     let start = start(timing);
     let (process, cross, observation) = noise();
