@@ -56,7 +56,7 @@ fn schema_and_reader_agree() {
 
 #[test]
 fn the_step_is_the_one_of_the_notes() {
-    let one = |value| exact_kalman::matrix::Matrix::from_fn(1, 1, |_, _| value);
+    let one = |value: exact_kalman::scalar::Rational| exact_kalman::matrix::Matrix::from_fn(1, 1, |_, _| value.clone());
     // H = C A, S + Q C, R + C Q C + 2 C S.
     let expected = UnifiedStep {
         transition: one(ratio(2, 1)),
