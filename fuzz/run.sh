@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 
 seconds=${1:-60}
 [ $# -gt 0 ] && shift
-[ $# -gt 0 ] || set -- parse_case recursion_agrees
+[ $# -gt 0 ] || set -- parse_case recursion_agrees verify_certificate
 
 for target in "$@"; do
     # No address sanitizer: it costs half the speed, and unsafe code is forbidden here.

@@ -6,6 +6,8 @@
 mod parse_case;
 #[path = "../fuzz/bodies/recursion_agrees.rs"]
 mod recursion_agrees;
+#[path = "../fuzz/bodies/verify_certificate.rs"]
+mod verify_certificate;
 
 use std::path::Path;
 
@@ -61,4 +63,20 @@ fn every_route_agrees_on_the_seeds() {
         }
     }
     assert!(met.iter().all(|met| met.modular) && met.iter().any(|met| met.gap), "{met:?}");
+}
+
+/// A seed's name begins with how far it comes, or with «any».
+#[test]
+fn certificates_are_verified_or_rejected() {
+    use verify_certificate::Reached::{Accepted, Nothing, Rejected};
+    let stages = [("nothing", Nothing), ("rejected", Rejected), ("accepted", Accepted)];
+    let mut counts = [0; 3];
+    for (name, bytes) in seeds("verify_certificate") {
+        let reached = verify_certificate::run(&bytes);
+        if let Some(place) = stages.iter().position(|(stage, _)| name.starts_with(stage)) {
+            assert_eq!(reached, stages[place].1, "{name}");
+            counts[place] += 1;
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 0), "a stage has no seed: {counts:?}");
 }

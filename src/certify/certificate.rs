@@ -27,7 +27,7 @@ impl Witness {
         &mut self,
         step: usize,
         readings: &Readings,
-        predicted: Option<Enclosed>,
+        predicted: Option<&Enclosed>,
         filtered: &Enclosed,
         ahead: Option<&Enclosed>,
     ) {
@@ -36,7 +36,7 @@ impl Witness {
             step,
             kept: (!readings.are_complete()).then(|| readings.kept.clone()),
             whitening: whitening.as_ref().map(full),
-            predicted: predicted.as_ref().map(belief),
+            predicted: predicted.map(belief),
             filtered: belief(filtered),
             ahead: ahead.map(belief),
         });

@@ -176,7 +176,7 @@ impl<'a> CertifiedFilter<'a> {
             targets
         };
         #[cfg(feature = "judge")]
-        self.witness.hold(self.done, &law.readings, predicted, &filtered, ahead.as_ref());
+        self.witness.hold(self.done, &law.readings, predicted.as_ref(), &filtered, ahead.as_ref());
         Ok((CertifiedStep { values, innovation_rank: law.readings.kept.len() }, ahead.unwrap_or(filtered)))
     }
 }

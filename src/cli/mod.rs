@@ -3,6 +3,7 @@
 //! stdout is data, stderr is talk. A verb is a file of its own, with its arguments and what it does.
 
 mod cases;
+mod certificate;
 mod check;
 mod declared;
 mod effort;
@@ -21,6 +22,7 @@ mod parallel;
 mod price;
 mod progress;
 mod proved;
+mod proved_interval;
 mod reporting;
 mod reproduce;
 mod rest;
@@ -30,6 +32,8 @@ mod spec;
 mod stability;
 mod steady;
 mod steps;
+mod verify;
+mod verify_steady;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -70,6 +74,7 @@ enum Verb {
     Stability(stability::Stability),
     Steady(steady::Steady),
     Reproduce(reproduce::Reproduce),
+    Verify(verify::Verify),
 }
 
 /// How results are printed.
@@ -104,6 +109,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Stability(verb) => verb.run(),
         Verb::Steady(verb) => verb.run(),
         Verb::Reproduce(verb) => verb.run(),
+        Verb::Verify(verb) => verb.run(),
     };
     match outcome {
         Ok(exit) => exit.into(),

@@ -6,6 +6,7 @@ use std::num::NonZero;
 use std::path::PathBuf;
 
 use super::Format;
+use super::certificate::{self, Certificate};
 use super::exit::{Exit, Trouble};
 use super::length::MaximalBits;
 use super::notation::{Decimals, LowestTerms, Notation};
@@ -63,6 +64,8 @@ pub(super) struct Solve {
     /// How to print the answers; JSON is that of docs/PROTOCOL.md, one answer on each line.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    #[command(flatten)]
+    certificate: Certificate,
 }
 
 /// The most steps ahead: fractions lengthen with each, and with decimal matrices a hundred take seconds.
@@ -76,6 +79,9 @@ fn ahead(text: &str) -> Result<NonZero<usize>, String> {
 impl Solve {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
         interrupt::listen(None);
+        if let Some(file) = &self.certificate.file {
+            return certificate::write(file, &input::cases(&self.case)?, self.numbers);
+        }
         // Every step is flushed, so that it is seen when it is known.
         let mut out = BufWriter::new(std::io::stdout().lock());
         let mut exit = Exit::Clean;

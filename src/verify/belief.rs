@@ -119,7 +119,7 @@ fn quotient_bits(unit: &Table, error: &Table) -> Option<u64> {
 }
 
 /// A number as a fraction.
-fn value(number: &Table) -> Rational {
+pub(super) fn value(number: &Table) -> Rational {
     let shift = number.exponent.unsigned_abs();
     let (over, under) = (number.at(0, 0), &number.denominator);
     if number.exponent >= 0 {

@@ -30,22 +30,40 @@ pub(super) struct Indefinite {
 /// [`Indefinite`] if it is not, or if to decide it would take too long.
 pub(super) fn nonnegative(matrix: &Table) -> Result<(), Indefinite> {
     let n = matrix.rows;
-    let size = |row: usize, entry: &BigInt| Indefinite {
-        row,
-        size: Some(i64::try_from(entry.bits()).unwrap_or(i64::MAX) + matrix.exponent - length(&matrix.denominator)),
-    };
     let mut places = Vec::with_capacity(n);
     for i in 0..n {
         let diagonal = matrix.at(i, i);
         if diagonal.is_negative() {
-            return Err(size(i, diagonal));
+            return Err(short(matrix, i, diagonal));
         }
         if diagonal.is_positive() {
             places.push(i);
         } else if let Some(other) = (0..n).map(|j| matrix.at(i, j)).find(|entry| !entry.is_zero()) {
-            return Err(size(i, other));
+            return Err(short(matrix, i, other));
         }
     }
+    decided(matrix, &places, false)
+}
+
+/// `matrix > 0`, proved.
+///
+/// # Errors
+///
+/// As [`nonnegative`].
+pub(super) fn positive(matrix: &Table) -> Result<(), Indefinite> {
+    let places: Vec<usize> = (0..matrix.rows).collect();
+    match places.iter().find(|&&i| !matrix.at(i, i).is_positive()) {
+        Some(&i) => Err(short(matrix, i, matrix.at(i, i))),
+        None => decided(matrix, &places, true),
+    }
+}
+
+fn short(matrix: &Table, row: usize, entry: &BigInt) -> Indefinite {
+    Indefinite { row, size: Some(length(entry) + 1 + matrix.exponent - length(&matrix.denominator)) }
+}
+
+/// Decides for some rows and columns, whose diagonal is positive.
+fn decided(matrix: &Table, places: &[usize], strictly: bool) -> Result<(), Indefinite> {
     let rest: Vec<Vec<BigInt>> =
         places.iter().map(|&i| places.iter().map(|&j| matrix.at(i, j).clone()).collect()).collect();
     if has_factor(&rest) {
@@ -56,7 +74,7 @@ pub(super) fn nonnegative(matrix: &Table) -> Result<(), Indefinite> {
     if size.saturating_pow(4).saturating_mul(bits.into()) > WORK {
         return Err(Indefinite { row: places.first().copied().unwrap_or(0), size: None });
     }
-    eliminated(rest).map_err(|row| Indefinite { row: places[row], size: None })
+    eliminated(rest, strictly).map_err(|row| Indefinite { row: places[row], size: None })
 }
 
 fn length(integer: &BigInt) -> i64 {
@@ -69,7 +87,7 @@ fn length(integer: &BigInt) -> i64 {
 /// diagonal. Then `m = L Lᵀ + rest` for the integers L that an approximate factorisation finds, whatever they are.
 fn has_factor(matrix: &[Vec<BigInt>]) -> bool {
     let n = matrix.len();
-    let units: Vec<i64> = (0..n).map(|i| (length(&matrix[i][i]) + 2) / 2).collect();
+    let units: Vec<i64> = (0..n).map(|i| length(&matrix[i][i]) / 2 + 1).collect();
     let places = i64::try_from(2 * BITS).unwrap_or(0);
     let entry = |i: usize, j: usize| match places - units[i] - units[j] {
         up if up >= 0 => &matrix[i][j] << up,
@@ -92,10 +110,10 @@ fn has_factor(matrix: &[Vec<BigInt>]) -> bool {
         factor.push(row);
     }
     let mut slack = vec![-BigInt::from(n); n];
-    for i in 0..n {
-        for j in 0..=i {
+    for (i, row) in scaled.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
             let product: BigInt = factor[i].iter().zip(&factor[j]).map(|(a, b)| a * b).sum();
-            let rest = &scaled[i][j] - product;
+            let rest = entry - product;
             if i == j {
                 slack[i] += rest;
             } else {
@@ -107,13 +125,14 @@ fn has_factor(matrix: &[Vec<BigInt>]) -> bool {
     slack.iter().all(|slack| !slack.is_negative())
 }
 
-/// Elimination without fractions; or the row where a pivot is negative, or zero beside what is not.
-fn eliminated(mut matrix: Vec<Vec<BigInt>>) -> Result<(), usize> {
+/// Elimination without fractions; or the row where a pivot is negative, or zero beside what is not; strictly, or zero.
+fn eliminated(mut matrix: Vec<Vec<BigInt>>, strictly: bool) -> Result<(), usize> {
     let n = matrix.len();
     let mut last = BigInt::one();
     for k in 0..n {
         let pivot = matrix[k][k].clone();
-        if pivot.is_negative() || (pivot.is_zero() && matrix[k][k..].iter().any(|entry| !entry.is_zero())) {
+        if pivot.is_negative() || (pivot.is_zero() && (strictly || matrix[k][k..].iter().any(|entry| !entry.is_zero())))
+        {
             return Err(k);
         }
         if pivot.is_zero() {
@@ -179,6 +198,8 @@ mod tests {
             let expected = minors.iter().all(|&minor| minor >= 0);
             let matrix = table(&[&[a, b, d], &[b, c, e], &[d, e, f]]);
             assert_eq!(nonnegative(&matrix).is_ok(), expected, "{matrix:?}");
+            let is_positive = a > 0 && a * c > b * b && minors[6] > 0;
+            assert_eq!(positive(&matrix).is_ok(), is_positive, "{matrix:?}");
             let rows: Vec<Vec<BigInt>> = matrix.entries.chunks(3).map(<[_]>::to_vec).collect();
             // What has a factor is semidefinite even where it is not asked for.
             assert!(!(a > 0 && c > 0 && f > 0) || !has_factor(&rows) || expected, "{matrix:?}");
@@ -190,7 +211,7 @@ mod tests {
     fn nearly_singular_matrices_are_decided() {
         for place in [1, 5, 20, 63, 64, 65, 127, 200, 700] {
             for (unit, sign) in [(0, 1), (500, 1), (0, -1), (500, -1)] {
-                let one = BigInt::one() << place;
+                let one: BigInt = BigInt::one() << place;
                 let off: BigInt = &one - sign;
                 let entries = vec![one.clone() << (2 * unit), &off << unit, off << unit, one];
                 let matrix = Table { rows: 2, columns: 2, entries, exponent: 0, denominator: BigInt::one() };

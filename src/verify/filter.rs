@@ -38,8 +38,7 @@ impl<'a> FilterCheck<'a> {
     /// [`Rejection`]; also for a diffuse start, of which no certificate speaks.
     pub fn begin(path: &'a Path<Rational>, start: &BeliefDocument) -> Result<Self, Rejection> {
         let (initial, n) = (path.initial(), path.states());
-        let is_diffuse = |part: &_| !Table::of(n, n, |i, j| &std::ops::Index::index(part, (i, j))).is_zero();
-        if initial.diffuse.as_ref().is_some_and(is_diffuse) {
+        if initial.diffuse.iter().any(|part| !part.is_zero()) {
             return Err(wrong(Condition::Case, "the start is diffuse: no certificate speaks of such a case"));
         }
         if start.gain.is_some() || start.balance.is_some() {
@@ -132,8 +131,8 @@ impl<'a> FilterCheck<'a> {
     }
 }
 
-fn named(name: &str, rejection: Rejection) -> Rejection {
-    Rejection { message: format!("`{name}`: {}", rejection.message), ..rejection }
+fn named(name: &str, Rejection { line, step, condition, message }: Rejection) -> Rejection {
+    Rejection { line, step, condition, message: format!("`{name}`: {message}") }
 }
 
 /// The places of the sensors that are kept among those that are observed.

@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::digest::sha256;
 use super::document::{DyadicMatrix, DyadicNumber};
+use super::rejection::{Condition, Rejection, wrong};
 use super::written::{bounded, present};
 
 /// A certificate on the stabilising solution of a Riccati equation.
@@ -72,20 +73,20 @@ impl SteadyDocument {
     /// # Errors
     ///
     /// What is wrong with it.
-    pub fn parse(text: &str) -> Result<Self, serde_json::Error> {
-        use serde::de::Error;
-
-        let members: Members = serde_json::from_str(text)?;
+    pub fn parse(text: &str) -> Result<Self, Rejection> {
+        let refused = |message: String| wrong(Condition::Document, message);
+        if !text.trim_start().starts_with('{') {
+            return Err(refused("an object is expected".to_owned()));
+        }
+        let members: Members = serde_json::from_str(text).map_err(|error| refused(error.to_string()))?;
         let stated = members.sha256.clone();
-        let document = Self::try_from(members).map_err(serde_json::Error::custom)?;
+        let document = Self::try_from(members).map_err(|message| refused(message.to_owned()))?;
         let digest = document.digest();
         if stated == digest {
-            Ok(document)
-        } else {
-            Err(serde_json::Error::custom(format_args!(
-                "sha256: {stated} is stated, {digest} is right: it was damaged or changed"
-            )))
+            return Ok(document);
         }
+        let message = format!("sha256 {stated} is stated and {digest} is right: something was changed");
+        Err(wrong(Condition::Digest, message))
     }
 
     /// The SHA-256 of the document without that member, on one line and with sorted keys.

@@ -108,13 +108,78 @@ pub(super) fn proved(
         None => {
             let covariance = target.map.around(&belief.covariance).plus(&target.noise);
             let gap = target.map.around(&belief.gap);
-            check_covariance(&claim.gap.minus(&gap), &covariance.minus(&claim.covariance))?;
+            let off = covariance.minus(&claim.covariance);
+            check_covariance(&claim.gap.minus(&gap), &off, Condition::Covariance)?;
             let error = target.map.times(&belief.mean).plus(&target.input).minus(&claim.mean);
             let carried = target.map.around(&belief.ellipsoid);
             check_mean(&claim.ellipsoid, &carried, &error.square(), document.balance)?;
         }
     }
     Ok(claim)
+}
+
+/// What a gain does to what is enclosed.
+pub(super) struct ClosedLoop {
+    /// G
+    matrix: Table,
+    /// G W Gᵀ
+    carried: Table,
+    /// ρTᵀTρᵀ
+    missed: Table,
+    /// J
+    joseph: Table,
+}
+
+impl Innovation {
+    pub(super) fn closed(&self, belief: &Belief, law: &Unified, target: &Target, gain: &Table) -> ClosedLoop {
+        let Target { map, noise, cross, .. } = target;
+        let matrix = map.minus(&gain.times(&law.observation));
+        let gamma = map.times(&belief.covariance).times(&law.observation.transposed()).plus(cross);
+        let mixed = gain.times(&cross.transposed());
+        let joseph = matrix
+            .around(&belief.covariance)
+            .plus(noise)
+            .minus(&mixed)
+            .minus(&mixed.transposed())
+            .plus(&gain.around(&law.noise));
+        ClosedLoop {
+            carried: matrix.around(&belief.gap),
+            missed: gain.times(&self.covariance).minus(&gamma).times(&self.whitening.transposed()).square(),
+            matrix,
+            joseph,
+        }
+    }
+
+    /// `κ (gap ± (J − centre)) ≥ (κ + 2w) GWGᵀ + 2 ρTᵀTρᵀ`
+    pub(super) fn check_gap(
+        &self,
+        closed: &ClosedLoop,
+        (gap, centre): (&Table, &Table),
+        condition: Condition,
+    ) -> Result<(), Rejection> {
+        let two = Table::number(2);
+        let first = closed.carried.scaled(&self.kappa.plus(&self.spread.scaled(&two)));
+        let local = first.plus(&closed.missed.scaled(&two));
+        let off = closed.joseph.minus(centre).scaled(&self.kappa);
+        check_covariance(&gap.scaled(&self.kappa).minus(&local), &off, condition)
+    }
+
+    /// `κ² r² X ≥ κ² (1 + β) GXGᵀ + 2 (1 + 1/β) v (w GWGᵀ + ρTᵀTρᵀ)`, v = tr(THXHᵀTᵀ)
+    pub(super) fn check_contraction(
+        &self,
+        closed: &ClosedLoop,
+        law: &Unified,
+        (shape, rate): (&Table, &Table),
+        balance: Option<i64>,
+    ) -> Result<(), Rejection> {
+        let weight = self.whitening.times(&law.observation).around(shape).trace().above(NUMBER_BITS);
+        let missed = closed.carried.scaled(&self.spread).plus(&closed.missed);
+        let missed = missed.scaled(&weight).scaled(&Table::number(2));
+        let square = self.kappa.square();
+        let sum = balanced(&closed.matrix.around(shape).scaled(&square), &missed, balance)?;
+        let side = shape.scaled(rate).scaled(&square).minus(&sum);
+        nonnegative(&side).map_err(|found| indefinite(Condition::Contraction, "G X Gᵀ ≤ r² X", &found))
+    }
 }
 
 fn read(
@@ -125,57 +190,47 @@ fn read(
     document: &BeliefDocument,
     claim: &Belief,
 ) -> Result<(), Rejection> {
-    let Target { map, input, noise, cross } = target;
-    let Innovation { whitening, covariance, value, kappa, spread, square } = innovation;
-    let gain = gain_of(document, map.rows, law.observation.rows)?;
-    check_size(gain.magnitude(), map.rows, law.observation.rows)?;
-    let closed = map.minus(&gain.times(&law.observation));
-    let gamma = map.times(&belief.covariance).times(&law.observation.transposed()).plus(cross);
-    let missed = gain.times(covariance).minus(&gamma).times(&whitening.transposed()).square();
-    let carried = closed.around(&belief.gap);
-    let mixed = gain.times(&cross.transposed());
-    let joseph = closed
-        .around(&belief.covariance)
-        .plus(noise)
-        .minus(&mixed)
-        .minus(&mixed.transposed())
-        .plus(&gain.around(&law.noise));
-    let two = Table::number(2);
-    let local = carried.scaled(&kappa.plus(&spread.scaled(&two))).plus(&missed.scaled(&two));
-    let off = joseph.minus(&claim.covariance).scaled(kappa);
-    check_covariance(&claim.gap.scaled(kappa).minus(&local), &off)?;
-
-    let error = map.times(&belief.mean).plus(input).plus(&gain.times(value)).minus(&claim.mean);
-    let kappa_squared = kappa.square();
-    let local = carried
-        .scaled(spread)
-        .plus(&missed)
-        .scaled(square)
-        .plus(&error.square().scaled(&kappa_squared))
+    let gain = gain_of(document, target.map.rows, law.observation.rows)?;
+    check_size(gain.magnitude(), target.map.rows, law.observation.rows)?;
+    let closed = innovation.closed(belief, law, target, &gain);
+    innovation.check_gap(&closed, (&claim.gap, &claim.covariance), Condition::Covariance)?;
+    let moved = target.map.times(&belief.mean).plus(&target.input).plus(&gain.times(&innovation.value));
+    let error = moved.minus(&claim.mean);
+    let square = innovation.kappa.square();
+    let local = closed
+        .carried
+        .scaled(&innovation.spread)
+        .plus(&closed.missed)
+        .scaled(&innovation.square)
+        .plus(&error.square().scaled(&square))
         .scaled(&Table::number(3));
-    let shrunk = closed.around(&belief.ellipsoid).scaled(&kappa_squared);
-    check_mean(&claim.ellipsoid.scaled(&kappa_squared), &shrunk, &local, document.balance)
+    let shrunk = closed.matrix.around(&belief.ellipsoid).scaled(&square);
+    check_mean(&claim.ellipsoid.scaled(&square), &shrunk, &local, document.balance)
 }
 
 /// `slack ± off ≥ 0`
-fn check_covariance(slack: &Table, off: &Table) -> Result<(), Rejection> {
+fn check_covariance(slack: &Table, off: &Table, condition: Condition) -> Result<(), Rejection> {
     for (what, side) in [("−W₊ ≤ φ(P) − P̃₊", slack.plus(off)), ("φ(P) − P̃₊ ≤ W₊", slack.minus(off))]
     {
-        nonnegative(&side).map_err(|found| indefinite(Condition::Covariance, what, &found))?;
+        nonnegative(&side).map_err(|found| indefinite(condition, what, &found))?;
     }
     Ok(())
 }
 
-/// `ellipsoid ≥ (1 + α) carried + (1 + 1/α) local`, or their sum where one is zero.
 fn check_mean(ellipsoid: &Table, carried: &Table, local: &Table, balance: Option<i64>) -> Result<(), Rejection> {
-    let sum = match balance {
-        None if carried.is_zero() || local.is_zero() => carried.plus(local),
-        None => return Err(wrong(Condition::Members, "`balance` is missing, and two errors of the mean are added")),
+    let sum = balanced(carried, local, balance)?;
+    nonnegative(&ellipsoid.minus(&sum)).map_err(|found| indefinite(Condition::Mean, "e₊e₊ᵀ ≤ E₊", &found))
+}
+
+/// `(1 + 2⁻ᵏ) carried + (1 + 2ᵏ) local`, or their sum where one is zero.
+fn balanced(carried: &Table, local: &Table, balance: Option<i64>) -> Result<Table, Rejection> {
+    match balance {
+        None if carried.is_zero() || local.is_zero() => Ok(carried.plus(local)),
+        None => Err(wrong(Condition::Members, "`balance` is missing, and two errors are added")),
         Some(k) if k.unsigned_abs() <= MOST_BALANCE => {
             let one_and = |exponent| Table::number(1).plus(&Table::power(exponent));
-            carried.scaled(&one_and(-k)).plus(&local.scaled(&one_and(k)))
+            Ok(carried.scaled(&one_and(-k)).plus(&local.scaled(&one_and(k))))
         }
-        Some(_) => return Err(wrong(Condition::Size, format!("`balance` lies between ±{MOST_BALANCE}"))),
-    };
-    nonnegative(&ellipsoid.minus(&sum)).map_err(|found| indefinite(Condition::Mean, "e₊e₊ᵀ ≤ E₊", &found))
+        Some(_) => Err(wrong(Condition::Size, format!("`balance` lies between ±{MOST_BALANCE}"))),
+    }
 }

@@ -7,6 +7,12 @@ use num_traits::{One, Signed, Zero};
 use super::document::DyadicMatrix;
 use crate::scalar::Rational;
 
+/// The least common multiple of positive integers, of which the first may be far longer.
+fn common_multiple(long: &BigInt, short: &BigInt) -> BigInt {
+    let rest = long % short;
+    if rest.is_zero() { long.clone() } else { long * (short / rest.gcd(short)) }
+}
+
 /// `entries · 2^exponent / denominator`, by rows; the denominator is positive.
 ///
 /// A number is a table with one entry.
@@ -46,9 +52,7 @@ impl Table {
     /// Fractions over their least common denominator, its powers of two apart.
     pub(super) fn of<'a>(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> &'a Rational) -> Self {
         let all = || (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))).map(|(i, j)| entry(i, j));
-        let common = all().fold(BigInt::one(), |common, value| {
-            if (&common % value.denom()).is_zero() { common } else { common.lcm(value.denom()) }
-        });
+        let common = all().fold(BigInt::one(), |common, value| common_multiple(&common, value.denom()));
         let entries = all().map(|value| value.numer() * (&common / value.denom())).collect();
         let twos = common.trailing_zeros().unwrap_or(0);
         let exponent = -i64::try_from(twos).unwrap_or(i64::MAX);
@@ -143,6 +147,20 @@ impl Table {
         self.times(&self.transposed())
     }
 
+    /// Both side by side.
+    pub(super) fn beside(&self, right: &Self) -> Self {
+        let padded = |table: &Self, before: usize| {
+            let columns = self.columns + right.columns;
+            let entry = |place: usize| match (place % columns).checked_sub(before) {
+                Some(column) if column < table.columns => table.at(place / columns, column).clone(),
+                _ => BigInt::zero(),
+            };
+            let entries = (0..table.rows * columns).map(entry).collect();
+            Self { columns, entries, denominator: table.denominator.clone(), ..*table }
+        };
+        padded(self, 0).plus(&padded(right, self.columns))
+    }
+
     /// The multiple by a number.
     pub(super) fn scaled(&self, factor: &Self) -> Self {
         let scaled = self.map(|entry| entry * factor.at(0, 0));
@@ -161,7 +179,7 @@ impl Table {
         let (own, others, denominator) = if self.denominator == other.denominator {
             (BigInt::one(), BigInt::one(), self.denominator.clone())
         } else {
-            let common = self.denominator.lcm(&other.denominator);
+            let common = common_multiple(&self.denominator, &other.denominator);
             (&common / &self.denominator, &common / &other.denominator, common)
         };
         let exponent = self.exponent.min(other.exponent);

@@ -23,3 +23,4 @@ mod spec;
 mod stability;
 mod steady;
 mod verdicts;
+mod verify;

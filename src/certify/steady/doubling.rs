@@ -37,8 +37,11 @@ pub(super) enum Failure {
     Restless,
 }
 
-/// 2^80 steps: a closed loop that is nearer to the unit circle is taken for one that reaches it.
-const MOST_DOUBLINGS: usize = 80;
+/// 2^400 steps, or 2^80 of many states: a closed loop that is nearer to the unit circle is taken for one that reaches it.
+const MOST_DOUBLINGS: [usize; 2] = [400, 80];
+
+/// Beyond so many states each doubling takes long.
+const FEW_STATES: usize = 8;
 
 /// The units begin with a variance that is larger by the fourth power of two to these.
 const LIFTS: [i64; 3] = [6, 40, 160];
@@ -114,11 +117,8 @@ impl Proposal {
             let sigma = plus(&symmetric_product(&h, &h, places), &r);
             let gamma = plus(&times_transposed(&a, &h, places), &s);
             let right: Rows = transposed(&gamma, m).into_iter().zip(&h).map(|(a, b)| [&a[..], b].concat()).collect();
-            let solution = solved(&sigma, &right, places).ok_or(Failure::Singular)?;
             // Rounding alone keeps the pivots of a singular matrix from zero.
-            if most_bits(&solution) > places + places / 2 {
-                return Err(Failure::Singular);
-            }
+            let solution = solved(&sigma, &right, places, places / 2).ok_or(Failure::Singular)?;
             let gain: Rows = transposed(&solution.iter().map(|row| row[..n].to_vec()).collect(), n);
             let weighed: Rows = solution.iter().map(|row| row[n..].to_vec()).collect();
             closed = minus(&a, &times(&gain, &h, n, places));
@@ -134,10 +134,10 @@ impl Proposal {
 /// X = AᵀX(I + GX)⁻¹A + H, where the iterates from zero converge.
 fn doubled(mut a: Rows, mut g: Rows, mut h: Rows, places: u64) -> Option<Rows> {
     let n = a.len();
-    for _ in 0..MOST_DOUBLINGS {
+    for _ in 0..MOST_DOUBLINGS[usize::from(n > FEW_STATES)] {
         let matrix = plus(&identity(n, places), &times_transposed(&g, &h, places));
         let right: Rows = a.iter().zip(&g).map(|(a, g)| [&a[..], &g[..]].concat()).collect();
-        let solution = solved(&matrix, &right, places)?;
+        let solution = solved(&matrix, &right, places, 0)?;
         let first: Rows = solution.iter().map(|row| row[..n].to_vec()).collect();
         let second: Rows = solution.iter().map(|row| row[n..].to_vec()).collect();
         // Both are symmetric: (I + GH)⁻¹G and H(I + GH)⁻¹.

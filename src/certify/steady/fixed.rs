@@ -84,8 +84,9 @@ pub(super) fn most_bits(rows: &Rows) -> u64 {
     rows.iter().flatten().map(BigInt::bits).max().unwrap_or(0)
 }
 
-/// The columns x with `matrix · x = right`, by elimination with the largest pivot of a column; nothing if one is zero.
-pub(super) fn solved(matrix: &Rows, right: &Rows, places: u64) -> Option<Rows> {
+/// The columns x with `matrix · x = right`, by elimination with the largest pivot of a column; nothing if one has no more than so
+/// many bits.
+pub(super) fn solved(matrix: &Rows, right: &Rows, places: u64, least: u64) -> Option<Rows> {
     let n = matrix.len();
     let columns = right.first().map_or(0, Vec::len);
     let mut rows: Rows = matrix.iter().zip(right).map(|(a, b)| a.iter().chain(b).cloned().collect()).collect();
@@ -94,7 +95,7 @@ pub(super) fn solved(matrix: &Rows, right: &Rows, places: u64) -> Option<Rows> {
     for j in 0..n {
         let pivot = (j..n).max_by_key(|&i| rows[i][j].magnitude().clone())?;
         rows.swap(j, pivot);
-        if rows[j][j].is_zero() {
+        if rows[j][j].bits() <= least {
             return None;
         }
         let inverse = &one / &rows[j][j];

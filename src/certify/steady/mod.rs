@@ -88,6 +88,8 @@ pub struct SteadyState {
     pub rate_squared: Dyadic,
     /// Entries of S are known to so many decimal digits of √(sᵢᵢ sⱼⱼ); nothing if exactly.
     pub digits: Option<u32>,
+    /// States whose variances are not told from zero: their digits are those of the variance in A S Aᵀ + Q.
+    pub vanishing: Vec<usize>,
     /// The bits that the proof took.
     pub bits: u64,
     /// The sensors that are used: the others repeat them, noise included.
@@ -186,7 +188,7 @@ impl SteadyState {
             match tried {
                 Ok(proof) => {
                     let state = Results { proof: &proof, equation: &equation, kept: &kept, sensors, bits }.state();
-                    if state.digits.is_none_or(|digits| digits >= effort.digits) {
+                    if state.vanishing.is_empty() && state.digits.is_none_or(|digits| digits >= effort.digits) {
                         return Ok(state);
                     }
                     best = Ok(state);

@@ -77,20 +77,25 @@ impl Proof {
         Ok(Self { reading, image, gap, spread, inverse_kappa, shape, rate_squared, balance })
     }
 
-    /// `E` as a part of S̃, the largest of all coordinates, as minus its binary logarithm rounded down; nothing if E = 0.
-    pub(super) fn accuracy(&self) -> Option<i64> {
-        let pairs = self.reading.point.diagonal().into_iter().zip(self.gap.diagonal());
-        let known = pairs.filter(|(_, gap)| !gap.is_zero()).map(|(variance, gap)| {
-            // Indefinite weights may have a solution with negative entries there.
-            let size = if variance.is_negative() { variance.negated() } else { variance };
-            let least = size.plus(&gap.negated(), BOUND_BITS, Toward::Below);
-            if least.is_negative() || least.is_zero() {
+    /// The states whose variances are not told from zero, and E as a part of the others, the largest of all coordinates, as
+    /// minus its binary logarithm rounded down; nothing if E = 0. For those states the unit is another variance.
+    pub(super) fn accuracy(&self, other: &[Dyadic]) -> (Vec<usize>, Option<i64>) {
+        let (point, gaps) = (self.reading.point.diagonal(), self.gap.diagonal());
+        // Indefinite weights may have a solution with negative entries there.
+        let size = |i: usize| if point[i].is_negative() { point[i].negated() } else { point[i].clone() };
+        let least = |i: usize| size(i).plus(&gaps[i].negated(), BOUND_BITS, Toward::Below);
+        let may_vanish = |i: &usize| !gaps[*i].is_zero() && (least(*i).is_negative() || least(*i).is_zero());
+        let vanishing: Vec<usize> = (0..gaps.len()).filter(may_vanish).collect();
+        let part = |i: usize| {
+            let unit = if may_vanish(&i) { other[i].clone() } else { least(i) };
+            if unit.is_negative() || unit.is_zero() {
                 return 0;
             }
-            let part = gap.over(&least, BOUND_BITS, Toward::Above);
+            let part = gaps[i].over(&unit, BOUND_BITS, Toward::Above);
             part.and_then(|part| part.magnitude()).map_or(0, |size| (-size).max(0))
-        });
-        known.min()
+        };
+        let known = (0..gaps.len()).filter(|&i| !gaps[i].is_zero()).map(part).min();
+        (vanishing, known)
     }
 
     /// D̄

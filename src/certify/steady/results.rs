@@ -26,15 +26,19 @@ impl Results<'_> {
         let gap = widened(&kept, &missed, &proof.spread, &proof.inverse_kappa);
         let ahead = &equation.ahead;
         let open = ahead.map.congruence(&proof.reading.point).scaled(&equation.lift).plus(&ahead.noise);
+        let open_covariance = self.covariance(&open, &self.image(&ahead.map));
+        let before: Vec<Dyadic> = (0..open.rows()).map(|i| open_covariance[(i, i)].lower().clone()).collect();
+        let (vanishing, known) = proof.accuracy(&before);
         SteadyState {
             solution: intervals(&proof.reading.point, &proof.gap, bits),
             gain: self.gain(&proof.image),
             innovation_covariance: self.covariance(&proof.reading.covariance, &self.image(&equation.observation)),
             filtered_covariance: self.covariance(&filtered.joseph, &gap),
             filter_gain: self.gain(&filtered),
-            open_covariance: self.covariance(&open, &self.image(&ahead.map)),
+            open_covariance,
+            vanishing,
             rate_squared: proof.rate_squared.clone(),
-            digits: proof.accuracy().map(|bits| decimals(bits.unsigned_abs())),
+            digits: known.map(|bits| decimals(bits.unsigned_abs())),
             bits,
             kept: self.kept.to_vec(),
             #[cfg(feature = "judge")]

@@ -30,7 +30,7 @@ pub(super) fn series(power: &Rows, first: &Rows, places: u64) -> Option<(Rows, f
 }
 
 /// Beyond, G is taken for one that does not contract.
-const MOST_SQUARINGS: usize = 100;
+const MOST_SQUARINGS: usize = 500;
 
 fn exact(bits: u64) -> f64 {
     // Far below 2^52.
@@ -46,5 +46,5 @@ fn logarithm(rows: &Rows) -> f64 {
         let (high, low) = ((kept >> 32) as u32, (kept & 0xffff_ffff) as u32);
         f64::from(high) * 4_294_967_296.0 + f64::from(low)
     });
-    (mantissa.log2() + exact(bits.saturating_sub(52))) / 2.0
+    f64::midpoint(mantissa.log2(), exact(bits.saturating_sub(52)))
 }

@@ -14,20 +14,23 @@ pub(super) fn write(file: &Path, page: &Page<'_>, finding: &Finding) -> Result<(
     let place = file.display().to_string();
     let evidence = match finding {
         Finding::Proved(state) if state.kept.len() < page.step.sensors() => {
-            return refused(place, "some sensors repeat others: leave them out of the model, and ask again");
+            not_written(&place, "some sensors repeat others: leave them out of the model, and ask again");
+            return Ok(());
         }
         Finding::Proved(state) => SteadyEvidence::Stabilising(state.evidence.clone()),
         Finding::Absent(absence) => of_absence(absence),
-        Finding::Undecided(..) => return refused(place, "nothing is proved, so there is no certificate"),
+        Finding::Undecided(..) => {
+            not_written(&place, "nothing is proved, so there is no certificate");
+            return Ok(());
+        }
     };
     let document = SteadyDocument { model: page.model.document(), evidence };
     fs::write(file, document.to_line() + "\n").map_err(|source| Trouble::Input { place, source })
 }
 
-fn refused(place: String, message: &str) -> Result<(), Trouble> {
-    // What is known is printed all the same.
-    eprintln!("{place}: not written: {message}");
-    Ok(())
+/// What is known is printed all the same.
+fn not_written(place: &str, why: &str) {
+    eprintln!("{place}: not written: {why}");
 }
 
 fn of_absence(absence: &Absence) -> SteadyEvidence {

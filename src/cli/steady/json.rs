@@ -17,7 +17,7 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
                 .map(|(name, matrix)| (name.replace(' ', "_"), enclosed(&matrix, page.digits)))
                 .collect();
             json!({"id": page.model.id, "verdict": "stabilising", "digits": state.digits, "bits": state.bits,
-                "kept": state.kept, "rate": rate(state, page.digits.min(17)), "noise_is_covariance": page.is_covariance(),
+                "kept": state.kept, "vanishing": state.vanishing, "rate": rate(state, page.digits.min(17)), "noise_is_covariance": page.is_covariance(),
                 "matrices": matrices})
         }
         Finding::Absent(absence) => {

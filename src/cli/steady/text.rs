@@ -28,6 +28,10 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
                 let kept: Vec<String> = state.kept.iter().map(ToString::to_string).collect();
                 writeln!(out, "Used are {}; the others repeat them, noise included", named_list(seen, &kept))?;
             }
+            if !state.vanishing.is_empty() {
+                let vanishing: Vec<String> = state.vanishing.iter().map(ToString::to_string).collect();
+                writeln!(out, "Not told from zero are the variances of {}", named_list("state", &vanishing))?;
+            }
             if page.is_covariance() == Some(false) {
                 writeln!(
                     out,

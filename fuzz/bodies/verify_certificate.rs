@@ -1,0 +1,159 @@
+//! Certificates from outside are verified or rejected, never a panic; and what is accepted is true.
+//!
+//! Bytes that begin with a brace are a certificate as it stands. Others are a tape: the number of a small model, of which the filter
+//! makes a certificate, and what is changed in it.
+
+#[path = "../../tests/verify/models.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
+mod models;
+#[path = "../../tests/verify/truth.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
+mod truth;
+
+use exact_kalman::protocol::{Case, SteadyModel};
+use exact_kalman::verify::{
+    BeliefDocument, DyadicMatrix, FilterCertificate, FilterCheck, SteadyDocument, StepDocument,
+};
+use num_bigint::BigInt;
+
+/// How far the bytes came.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reached {
+    /// No certificate, or none of a model.
+    Nothing,
+    /// A certificate that is rejected.
+    Rejected,
+    /// A certificate that is accepted.
+    Accepted,
+}
+
+/// Longer texts take longer and show nothing new.
+const MAXIMAL_BYTES: usize = 1 << 14;
+
+/// Reads the bytes as a certificate, or makes one and changes it.
+///
+/// # Panics
+///
+/// If a step is accepted that is not true.
+pub fn run(bytes: &[u8]) -> Reached {
+    if bytes.len() > MAXIMAL_BYTES {
+        return Reached::Nothing;
+    }
+    if bytes.first() == Some(&b'{') { from_outside(bytes) } else { changed(bytes) }
+}
+
+fn from_outside(bytes: &[u8]) -> Reached {
+    if let Some(document) = std::str::from_utf8(bytes).ok().and_then(|text| SteadyDocument::parse(text).ok()) {
+        assert_eq!(SteadyDocument::parse(&document.to_line()).as_ref(), Ok(&document));
+        let _ = SteadyModel::parse(&document.model.to_string());
+        return Reached::Rejected;
+    }
+    let Ok(certificate) = FilterCertificate::open(bytes) else { return Reached::Nothing };
+    let path = Case::parse(certificate.case()).and_then(|case| case.problem()?.realised());
+    let Ok(path) = path else { return Reached::Nothing };
+    if certificate.verify(&path, |_| {}).is_ok() { Reached::Accepted } else { Reached::Rejected }
+}
+
+/// Numbers off the tape; zeros after its end.
+struct Tape<'a>(std::slice::Iter<'a, u8>);
+
+impl Tape<'_> {
+    fn next(&mut self) -> usize {
+        self.0.next().copied().map_or(0, |byte| usize::from(byte.wrapping_sub(b'0')))
+    }
+}
+
+fn changed(bytes: &[u8]) -> Reached {
+    let mut tape = Tape(bytes.iter());
+    let model = models::model((tape.next() + 256 * tape.next()) as u64);
+    let bits = [8, 12, 20, 53, 128][tape.next() % 5];
+    let (mut start, mut steps) = models::certified(&model.path, bits);
+    for _ in 0..tape.next() % 8 {
+        change(&mut tape, &mut start, &mut steps);
+    }
+    let truth = truth::Truth::of(&model.longer);
+    let Ok(mut check) = FilterCheck::begin(&model.path, &start) else { return Reached::Rejected };
+    for step in &steps {
+        let at = check.done();
+        if check.step(step).is_err() {
+            return Reached::Rejected;
+        }
+        assert!(truth.agrees(at, step, model.path.timing()), "step {at} is accepted and false: {step:?}");
+    }
+    if check.end().is_ok() { Reached::Accepted } else { Reached::Rejected }
+}
+
+fn change(tape: &mut Tape<'_>, start: &mut BeliefDocument, steps: &mut Vec<StepDocument>) {
+    let (what, at) = (tape.next(), tape.next());
+    if steps.is_empty() {
+        return;
+    }
+    let at = at % (steps.len() + 1);
+    if at == steps.len() {
+        return change_belief(tape, what, start);
+    }
+    match what % 16 {
+        0 => drop(steps.remove(at)),
+        1 => {
+            let other = tape.next() % steps.len();
+            steps.swap(at, other);
+        }
+        2 => {
+            let copy = steps[at].clone();
+            steps.insert(at, copy);
+        }
+        3 => steps[at].step = tape.next(),
+        4 => steps[at].kept = Some((0..tape.next() % 4).map(|_| tape.next() % 4).collect()),
+        5 => steps[at].ahead = None,
+        6 => steps[at].predicted = Some(steps[at].filtered.clone()),
+        7 => {
+            if let Some(whitening) = &mut steps[at].whitening {
+                change_matrix(tape, whitening);
+            }
+        }
+        _ => {
+            let StepDocument { predicted, filtered, ahead, .. } = &mut steps[at];
+            let beliefs = [predicted.as_mut(), Some(filtered), ahead.as_mut()];
+            let mut beliefs: Vec<_> = beliefs.into_iter().flatten().collect();
+            let place = tape.next() % beliefs.len();
+            change_belief(tape, what / 16, beliefs[place]);
+        }
+    }
+}
+
+fn change_belief(tape: &mut Tape<'_>, what: usize, belief: &mut BeliefDocument) {
+    match what % 8 {
+        0 => belief.balance = i64::try_from(tape.next()).ok().map(|k| k - 40),
+        1 => belief.balance = None,
+        2 => {
+            if let Some(gain) = &mut belief.gain {
+                change_matrix(tape, gain);
+            }
+        }
+        3 => change_matrix(tape, &mut belief.covariance),
+        4 | 5 => change_matrix(tape, &mut belief.gap),
+        6 => change_matrix(tape, &mut belief.mean),
+        _ => change_matrix(tape, &mut belief.ellipsoid),
+    }
+}
+
+fn change_matrix(tape: &mut Tape<'_>, matrix: &mut DyadicMatrix) {
+    let (how, i, j, by) = (tape.next(), tape.next(), tape.next(), tape.next());
+    if how % 8 == 0 {
+        matrix.exponent += i64::try_from(by % 9).unwrap_or(0) - 4;
+        return;
+    }
+    let rows = matrix.rows.len().max(1);
+    let Some(row) = matrix.rows.get_mut(i % rows) else { return };
+    let columns = row.len().max(1);
+    let Some(entry) = row.get_mut(j % columns) else { return };
+    match how % 8 {
+        1 => entry.0 += by,
+        2 => entry.0 -= by,
+        3 => entry.0 = -&entry.0,
+        4 => entry.0 = (&entry.0 * by) >> 5,
+        5 => entry.0 = BigInt::from(by),
+        6 => entry.0 ^= BigInt::from(1) << by,
+        _ => drop(row.pop()),
+    }
+}

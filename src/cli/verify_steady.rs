@@ -1,0 +1,97 @@
+//! `verify` for certificates on steady states.
+
+use num_bigint::BigInt;
+use serde_json::json;
+
+use super::numbers::Numbers;
+use super::proved_interval::{shown_matrix, text};
+use super::verify::{Failed, Verified, digits, rejected};
+use crate::matrix::Matrix;
+use crate::model::{Observation, Step, Timing, Transition};
+use crate::protocol::{SteadyEquation, SteadyModel};
+use crate::scalar::{Rational, ratio};
+use crate::verify::{Condition, ProvedSteady, SteadyDocument, check_steady};
+
+/// Checks the document against the model inside, which must be the one that is given.
+pub(super) fn verified(document: &str, given: Option<&SteadyModel>, most: u32) -> Result<Verified, Failed> {
+    let document = SteadyDocument::parse(document).map_err(Failed::Rejected)?;
+    let inside = |error| rejected(Condition::Case, format!("the model inside: {error}"));
+    let model = SteadyModel::parse(&document.model.to_string()).map_err(inside)?;
+    if given.is_some_and(|given| given.equation != model.equation) {
+        return Err(rejected(Condition::Case, "the model inside is not the one that is given"));
+    }
+    let (step, timing) = repeated(&model.equation);
+    let proved = check_steady(&step, timing, &document.evidence).map_err(Failed::Rejected)?;
+    let (mut lines, mut members) = (Vec::new(), vec![("kind", json!("steady"))]);
+    let mut verdict = |verdict: &str, words: String| {
+        members.push(("verdict", json!(verdict)));
+        lines.push(("verdict".to_owned(), words));
+    };
+    match proved {
+        ProvedSteady::Stabilising { solution, bits, rate_squared, is_covariance } => {
+            verdict("stabilising", "exactly one solution has a stable closed loop".into());
+            let known = bits.map_or_else(|| "all: it is exact".to_owned(), |bits| digits(bits).to_string());
+            let rate = Numbers { digits: 10, exact: false }.above(&root_above(&rate_squared));
+            let n = solution.states();
+            let entries: Vec<Vec<String>> =
+                (0..n).map(|i| (0..n).map(|j| text(&solution.covariance(i, j), most)).collect()).collect();
+            lines.push(("digits proved, at least".into(), known));
+            lines.push(("spectral radius, at most".into(), rate.clone()));
+            if is_covariance {
+                lines.push(("it is".into(), "positive semidefinite, and no other solution exceeds it".into()));
+            }
+            lines.push(("solution".into(), shown_matrix(&entries)));
+            members.extend([
+                ("digits", json!(bits.map(digits))),
+                ("spectral_radius_at_most", json!(rate)),
+                ("is_covariance", json!(is_covariance)),
+                ("solution", json!(entries)),
+            ]);
+        }
+        ProvedSteady::Unobservable { modes } => {
+            let words = format!("no solution has a stable closed loop: {modes} modes are not observed, and not stable");
+            verdict("unobservable", words);
+            members.push(("modes", json!(modes)));
+        }
+        ProvedSteady::Unreachable { modes } => {
+            let words = format!(
+                "no solution has a stable closed loop: {modes} modes are not reached by noise, one of modulus 1"
+            );
+            verdict("unreachable", words);
+            members.push(("modes", json!(modes)));
+        }
+    }
+    Ok(Verified { name: model.id, lines, members })
+}
+
+/// The step that is repeated for ever.
+fn repeated(equation: &SteadyEquation) -> (Step<Rational>, Timing) {
+    let step = |[a, c, q, s, r]: [&Matrix<Rational>; 5]| Step {
+        transition: Some(Transition {
+            matrix: a.clone(),
+            input: Matrix::zeros(a.rows(), 1),
+            noise: q.clone(),
+            cross_noise: s.clone(),
+        }),
+        observation: c.clone(),
+        observation_input: Matrix::zeros(c.rows(), 1),
+        observation_noise: r.clone(),
+        reading: Observation::complete(vec![ratio(0, 1); c.rows()]),
+    };
+    match equation {
+        SteadyEquation::Filter { timing, transition, observation, process_noise, cross_noise, observation_noise } => {
+            (step([transition, observation, process_noise, cross_noise, observation_noise]), *timing)
+        }
+        SteadyEquation::Control { a, b, q, r, s } => {
+            (step([&a.transpose(), &b.transpose(), q, s, r]), Timing::Departing)
+        }
+    }
+}
+
+/// Not less than the root of a positive number, and little more.
+fn root_above(square: &Rational) -> Rational {
+    let (over, under) = (square.numer(), square.denom());
+    let places = 64 + under.bits().saturating_sub(over.bits());
+    let root: BigInt = ((over * under) << (2 * places)).sqrt() + 1;
+    Rational::new(root, under << places)
+}

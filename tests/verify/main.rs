@@ -1,0 +1,10 @@
+//! Certificates are accepted as they are made, and what is accepted is true: decided by the exact filter.
+#![cfg(feature = "judge")]
+
+mod accepted;
+mod corrupted;
+mod files;
+mod models;
+mod steady;
+mod tight;
+mod truth;
