@@ -17,7 +17,7 @@ use num_traits::One;
 
 use super::doubling::Proposal;
 use super::equation::{Equation, over, power_of_two, product, sum};
-use super::fixed::{Rows, identity};
+use super::fixed::{Rows, identity, most_bits};
 use super::point::{Image, Reading, diagonal_bound, is_definite, missing, widened, without_zero_rows};
 use super::series::series;
 use super::{BOUND_BITS, Dyadics, Unproved, nearest, rounded, scale, symmetric, up};
@@ -147,19 +147,24 @@ fn gap(
         let nothing = Dyadics { mantissas: Matrix::zeros(n, n), exponent: 0 };
         return Ok((nothing, residual, decay));
     };
-    Ok((of_units(&total, units, places, size + 1), residual, decay))
+    Ok((of_units(&total, units, (places, swing(closed, places)), size + 1), residual, decay))
 }
 
 /// A symmetric matrix in units times a power of two, to as many bits as its size asks for.
-fn of_units(total: &Rows, units: &[i64], places: u64, exponent: i64) -> Dyadics {
+fn of_units(total: &Rows, units: &[i64], (places, swing): (u64, i64), exponent: i64) -> Dyadics {
     let places = i64::try_from(places).unwrap_or(i64::MAX);
     let least = units.iter().copied().min().unwrap_or(0);
     let mantissas = symmetric(units.len(), |i, j| &total[i][j] << (units[i] + units[j] - 2 * least));
     let exact = Dyadics { mantissas, exponent: 2 * least - places + exponent };
     let scales: Vec<Option<i64>> = exact.diagonal().iter().map(scale).collect();
     let growth = amplification(total, places);
-    let bits = u64::try_from(SPARE + growth + size_of(units.len())).unwrap_or(0);
+    let bits = u64::try_from(SPARE + growth + swing + size_of(units.len())).unwrap_or(0);
     rounded(&exact, &BigInt::one(), &scales, bits).0
+}
+
+/// How many bits a closed loop may make of a rounding before it forgets it.
+fn swing(closed: &Rows, places: u64) -> i64 {
+    2 * i64::try_from(most_bits(closed).saturating_sub(places)).unwrap_or(0)
 }
 
 /// The binary logarithm of the largest entry of a matrix in fixed point, if it is above one.
@@ -208,7 +213,7 @@ impl Contraction<'_> {
         let faster: Rows =
             closed.iter().map(|row| row.iter().map(|entry| (entry * &inverse) >> places).collect()).collect();
         let (total, _) = series(&faster, &identity(units.len(), places), places)?;
-        let shape = of_units(&total, units, places, 0);
+        let shape = of_units(&total, units, (places, swing(closed, places)), 0);
         let carried = self.image.closed.congruence(&shape);
         let carried = carried.multiple(&over(&Dyadic::one(), &self.equation.odd, 2));
         let through = product(&self.reading.spread(&shape, self.equation), self.inverse_kappa);

@@ -174,7 +174,7 @@ fn definiteness_is_proved_only_where_it_holds() {
         let mut draw = Draw(Pcg64Mcg::seed_from_u64(seed));
         let n = draw.order(4);
         let factor = draw.matrix(n, n);
-        let shift = Matrix::identity(n).scaled(&ratio(draw.below(7) - 3, 1 << (4 * draw.below(8))));
+        let shift = Matrix::identity(n).scaled(&ratio(draw.below(9) - 6, 1 << (2 * draw.below(8))));
         let matrix = &factor * factor.transpose() + shift;
         let matrix = matrix.scaled(&ratio(144, 1));
         let exactly = matrix.ldl().is_ok_and(|ldl| ldl.is_positive_definite());
