@@ -81,11 +81,9 @@ impl Proof {
     /// minus its binary logarithm rounded down; nothing if E = 0. For those states the unit is another variance.
     pub(super) fn accuracy(&self, other: &[Dyadic]) -> (Vec<usize>, Option<i64>) {
         let (point, gaps) = (self.reading.point.diagonal(), self.gap.diagonal());
-        let least = |i: usize| {
-            // Indefinite weights may have a solution with negative entries there.
-            let size = if point[i].is_negative() { point[i].negated() } else { point[i].clone() };
-            size.plus(&gaps[i].negated(), BOUND_BITS, Toward::Below)
-        };
+        // Indefinite weights may have a solution with negative entries there.
+        let size = |i: usize| if point[i].is_negative() { point[i].negated() } else { point[i].clone() };
+        let least = |i: usize| size(i).plus(&gaps[i].negated(), BOUND_BITS, Toward::Below);
         let may_vanish = |i: &usize| !gaps[*i].is_zero() && (least(*i).is_negative() || least(*i).is_zero());
         let vanishing: Vec<usize> = (0..gaps.len()).filter(may_vanish).collect();
         let part = |i: usize| {
