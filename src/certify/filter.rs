@@ -199,7 +199,7 @@ impl<'a> CertifiedFilter<'a> {
             derived.ahead = predictor.laws(self.done + 1, &filtered, ahead.as_ref(), &linked.next, bits);
         }
         derived.name_into(&mut values);
-        linked.into_blocks(&mut values, &mut derived);
+        linked.put_zeros(&mut values, &mut derived);
         self.groups = linked.next;
         let step = CertifiedStep { values, innovation_rank: law.readings.kept.len(), derived };
         Ok((step, ahead.unwrap_or(filtered)))
