@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use exact_kalman::certify::{CertifiedStep, Digits, RaisedFilter};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, Path, System, Timing};
-use exact_kalman::scalar::{Interval, Rational, nearest_double, ratio};
+use exact_kalman::scalar::{Dyadic, Interval, Rational, nearest_double, ratio};
 use exact_kalman::trace::Quantity;
 
 /// The digits that are proved of each entry of each step.
@@ -49,7 +49,9 @@ fn told(name: &str, path: &Path<Rational>) -> Result<(), Box<dyn std::error::Err
     }
     let (early, last) = (early.ok_or("too few steps")?, gaps(&last.ok_or("no step")?)?);
     let tenth = steps / 10;
-    let mean = |times: &[Duration]| times.iter().sum::<Duration>().as_secs_f64() * 1e6 / times.len() as f64;
+    let mean = |times: &[Duration]| {
+        times.iter().sum::<Duration>().as_secs_f64() * 1e6 / f64::from(u32::try_from(times.len()).unwrap_or(u32::MAX))
+    };
     println!(
         "| {name} | {} | {} | {steps} | {} | {:.1e} → {:.1e} | {:.1e} → {:.1e} | {:.0} → {:.0} |",
         path.states(),
@@ -86,7 +88,7 @@ fn gaps(step: &CertifiedStep) -> Result<[f64; 2], &'static str> {
         [Quantity::FilteredMean, Quantity::FilteredCovariance].map(|quantity| step.values.get(&quantity));
     let (mean, covariance) = (mean.ok_or("no mean")?, covariance.ok_or("no covariance")?);
     let ends = |interval: &Interval| {
-        let [lower, upper] = [interval.lower(), interval.upper()].map(|end| end.value());
+        let [lower, upper] = [interval.lower(), interval.upper()].map(Dyadic::value);
         lower.zip(upper).ok_or("a long number")
     };
     let mut most = [0.0_f64; 2];

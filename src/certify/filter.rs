@@ -216,7 +216,7 @@ impl<'a> CertifiedFilter<'a> {
         derived.name_into(&mut values);
         #[cfg(feature = "judge")]
         self.witness.hold(self.done, &law.readings, predicted.as_ref(), &filtered, ahead.as_ref());
-        linked.into_blocks(&mut values, &mut derived);
+        linked.put_zeros(&mut values, &mut derived);
         self.groups = linked.next;
         let step = CertifiedStep { values, innovation_rank: law.readings.kept.len(), derived };
         Ok((step, ahead.unwrap_or(filtered)))

@@ -141,7 +141,7 @@ impl Groups {
 
 impl Linked {
     /// Exact zeros in what was enclosed of the step.
-    pub(super) fn into_blocks(&self, values: &mut Values<Interval>, derived: &mut Derived) {
+    pub(super) fn put_zeros(&self, values: &mut Values<Interval>, derived: &mut Derived) {
         let mut replace = |quantity, rows: &Groups, columns: &Groups| {
             if let Some(matrix) = values.get_mut(&quantity) {
                 rows.apart_from(columns, matrix);

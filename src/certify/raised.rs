@@ -49,8 +49,9 @@ impl<'a> RaisedFilter<'a> {
     /// The filter before the first step of a path, for so many digits.
     pub fn new(path: &'a Path<Rational>, digits: u32, most_bits: u64) -> Self {
         let bits = bits_for(digits).min(most_bits);
-        let steps = CertifiedFilter::new(path, bits).skip(0);
-        Self { path, ahead: None, everything: false, digits, bits, most_bits, steps, done: 0, ended: false }
+        let done = 0;
+        let steps = CertifiedFilter::new(path, bits).skip(done);
+        Self { path, ahead: None, everything: false, digits, bits, most_bits, steps, done, ended: false }
     }
 
     /// The same filter with everything that [`CertifiedFilter::everything`] adds.

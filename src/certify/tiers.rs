@@ -40,7 +40,7 @@ pub enum TieredStep {
     /// The exact results.
     Exact(RationalStep),
     /// Enclosures of them, with the exact rank of the innovation covariance.
-    Certified(CertifiedStep),
+    Certified(Box<CertifiedStep>),
 }
 
 /// The filter along a path: exact as long as denominators are short, a start is diffuse, or an innovation covariance is
@@ -199,7 +199,7 @@ impl TieredFilter<'_> {
             match self.found(next) {
                 Found::Enough(step) => {
                     self.done += 1;
-                    return Some(Ok(TieredStep::Certified(*step)));
+                    return Some(Ok(TieredStep::Certified(step)));
                 }
                 Found::TooFar(bits) if self.digits.is_none() => {
                     return Some(Err(StopReason::TooLong { bits, limit: FARTHEST }));

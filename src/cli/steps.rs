@@ -155,7 +155,7 @@ fn tiered(
     while let Some(step) = filter.next() {
         let step = match step {
             Ok(TieredStep::Exact(step)) => Step::Exact(ExactStep::Fast(step)),
-            Ok(TieredStep::Certified(step)) => Step::Enclosed(Box::new(step)),
+            Ok(TieredStep::Certified(step)) => Step::Enclosed(step),
             Err(reason) => return Some(Stop::Reason(reason)),
         };
         if !tell(step, filter.bits()) {
