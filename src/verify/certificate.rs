@@ -26,7 +26,7 @@ use crate::scalar::Rational;
 /// let case = r#"{"format":"exact-kalman/case/1","id":"walk","timing":"departing",
 ///     "initial":{"before":"observation","mean":["0"],"covariance":[["1"]]},
 ///     "transition":[["1"]],"observation":[["1"]],
-///     "noise":{"process":[["1"]],"observation":[["1"]]},"observations":[["1"],["1/3"]]}"#;
+///     "noise":{"process":[["1"]],"observation":[["1"]]},"observations":[["1"],["0.3"]]}"#;
 /// let path = Case::parse(case)?.problem()?.realised()?;
 /// let mut filter = CertifiedFilter::new(&path, 128).with_witness();
 /// let start = filter.belief_document().ok_or("diffuse")?;
