@@ -160,7 +160,7 @@ fn unfolded(p: &[Rational]) -> Vec<Rational> {
         for i in 0..=j {
             let power = d - j + 2 * i;
             rest[power] = &rest[power] - &h[j] * &binomial;
-            binomial = binomial * ratio(i64::try_from(j - i).expect("small"), i64::try_from(i + 1).expect("small"));
+            binomial *= ratio(i64::try_from(j - i).expect("small"), i64::try_from(i + 1).expect("small"));
         }
     }
     assert!(rest.iter().all(Zero::is_zero), "self-reciprocal");
@@ -287,7 +287,7 @@ fn zeros(rows: usize, columns: usize) -> Exact {
 fn eigenvalues_next_to_the_circle_are_told_from_it() {
     let tiny = Rational::new(1.into(), num_bigint::BigInt::from(10).pow(40));
     for (eigenvalue, is_absent) in [(ratio(1, 1) - &tiny, false), (ratio(1, 1) + &tiny, true)] {
-        let unseen = unobserved(&Matrix::diagonal(&[eigenvalue.clone()]), 2, &[1, 2, -1]);
+        let unseen = unobserved(&Matrix::diagonal(std::slice::from_ref(&eigenvalue)), 2, &[1, 2, -1]);
         assert_eq!(matches!(Existence::of(&unseen), Existence::Absent(_)), is_absent);
         let still = unreached(&Matrix::diagonal(&[eigenvalue]), 2, &[1, 2, -1]);
         assert_eq!(Existence::of(&still), Existence::Present);

@@ -202,7 +202,7 @@ fn more_digits_lie_within_fewer() {
         assert!((0..step.states()).all(|i| width(many, i) <= width(more, i) && width(more, i) <= width(few, i)));
         // Seconds become nanoseconds.
         let n = step.states();
-        let unit = |i: usize| ratio(10, 1).pow(if i % 2 == 0 { 9 } else { -9 });
+        let unit = |i: usize| ratio(10, 1).pow(if i.is_multiple_of(2) { 9 } else { -9 });
         let up = Matrix::diagonal(&(0..n).map(unit).collect::<Vec<_>>());
         let down = Matrix::diagonal(&(0..n).map(|i| unit(i).recip()).collect::<Vec<_>>());
         let other = UnifiedStep {

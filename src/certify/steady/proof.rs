@@ -36,10 +36,12 @@ pub(super) struct Proof {
     /// 1/κ, or more.
     pub(super) inverse_kappa: Dyadic,
     /// X
+    #[cfg_attr(not(feature = "judge"), expect(dead_code, reason = "certificates alone need it"))]
     pub(super) shape: Dyadics,
     /// r²
     pub(super) rate_squared: Dyadic,
     /// k, with β = 2⁻ᵏ; nothing where G alone decides.
+    #[cfg_attr(not(feature = "judge"), expect(dead_code, reason = "certificates alone need it"))]
     pub(super) balance: Option<i64>,
 }
 
