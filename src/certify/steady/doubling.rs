@@ -25,7 +25,7 @@ pub(super) struct Proposal {
     pub(super) units: Vec<i64>,
     pub(super) places: u64,
     /// Whether variances may be negative, since weights are.
-    is_signed: bool,
+    pub(super) is_signed: bool,
 }
 
 /// Why there is none.

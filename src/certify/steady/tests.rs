@@ -72,7 +72,7 @@ fn proposal(matrix: &Matrix<Rational>) -> Proposal {
         })
         .collect();
     let minus: Vec<i64> = units.iter().map(|unit| -unit).collect();
-    Proposal { rows: fixed::in_units(matrix, &units, &minus, 256), units, places: 256 }
+    Proposal { rows: fixed::in_units(matrix, &units, &minus, 256), units, places: 256, is_signed: false }
 }
 
 /// Whatever is proved near a known solution, with few bits and from points that are somewhat wrong, encloses it in the order of
@@ -159,7 +159,7 @@ fn the_other_fixed_point_is_refused() {
     };
     let equation = Equation::of(&step);
     let near = |value: Rational| Proof::of(&proposal(&Matrix::from_fn(1, 1, |_, _| value.clone())), &equation, 128);
-    let gone = Proposal { rows: vec![vec![BigInt::zero()]], units: vec![0], places: 256 };
+    let gone = Proposal { rows: vec![vec![BigInt::zero()]], units: vec![0], places: 256, is_signed: false };
     assert!(Proof::of(&gone, &equation, 128).is_err());
     assert!(near(ratio(1, 1 << 40)).is_err());
     assert!(near(ratio(29, 10)).is_ok_and(|proof| proof.accuracy(&[]).1.is_some_and(|bits| bits < 8)));
