@@ -253,7 +253,7 @@ fn judge(step: &UnifiedStep, is_absent: bool) -> Result<(), TestCaseError> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, ..ProptestConfig::default() })]
 
-    /// Unobservable modes forbid a solution if and only if one has modulus 1 or more; coordinates and shared noise change nothing.
+    /// EK-T7a: unobservable modes forbid a solution if and only if one has modulus 1 or more; coordinates and shared noise change nothing.
     #[test]
     fn unobservable_modes_are_found(
         place in 0..blocks().len(), seen in 0usize..4, entries in entries(), shears in shears(), share in -2i64..=2,
@@ -265,7 +265,7 @@ proptest! {
         judge(&step, block.is_unstable)?;
     }
 
-    /// Modes that no noise reaches forbid a solution if and only if one is on the circle; coordinates and shared noise change nothing.
+    /// EK-T7b: modes that no noise reaches forbid a solution if and only if one is on the circle; coordinates and shared noise change nothing.
     #[test]
     fn unreachable_modes_are_found(
         place in 0..blocks().len(), reached in 0usize..4, entries in entries(), shears in shears(), share in -2i64..=2,

@@ -247,7 +247,7 @@ impl Widths {
     }
 }
 
-/// Models in units from 10⁻⁹ to 10⁹, with ρ(A) up to 3, coordinates that are hardly seen, noise of readings with variance 1, 10⁻²⁰
+/// EK-D1, EK-D2, EK-D3: models in units from 10⁻⁹ to 10⁹, with ρ(A) up to 3, coordinates that are hardly seen, noise of readings with variance 1, 10⁻²⁰
 /// or 0 shared with the state's, known starts, coefficients that vary, readings that are missing or repeated.
 #[test]
 fn what_follows_from_an_enclosed_step_is_enclosed() {

@@ -138,7 +138,7 @@ fn scalar_states_lie_around_the_larger_root() {
     assert!(seen > 250, "{seen}");
 }
 
-/// What proves a steady state holds in exact fractions, the rate bounds closed loops by Schur and Cohn, and what
+/// EK-T5, EK-T6: what proves a steady state holds in exact fractions, the rate bounds closed loops by Schur and Cohn, and what
 /// was changed does not hold, or says something else that is true.
 #[test]
 fn what_proves_a_steady_state_holds_exactly() {

@@ -6,7 +6,7 @@ use exact_kalman::verify::FilterCheck;
 use super::models::{certified, model};
 use super::truth::Truth;
 
-/// Certificates of random models of all kinds are accepted to their last step, with bits that are far too few as well.
+/// EK-T1, EK-T2: certificates of random models of all kinds are accepted to their last step, with bits that are far too few as well.
 #[test]
 fn certificates_of_the_filter_are_accepted() {
     let (mut steps, mut departing, mut kept, mut ended) = (0, 0, 0, 0);

@@ -87,7 +87,7 @@ fn changed(step: &mut StepDocument, draw: &mut Draw) -> String {
     format!("{name}, {how}")
 }
 
-/// Numbers changed one by one, and more at a time: 12,000 certificates. Those that are accepted speak the truth, and those whose
+/// EK-L1, EK-T1, EK-T2: numbers changed one by one, and more at a time: 12,000 certificates. Those that are accepted speak the truth, and those whose
 /// covariance or mean was moved are mostly rejected.
 #[test]
 fn accepted_numbers_are_true() {

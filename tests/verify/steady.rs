@@ -106,7 +106,7 @@ fn false_and_unproved_claims_are_rejected() {
     assert_eq!(checked(&step, claimed((385, 128), (1, 64), (97, 64), (1, 2), None)).err(), Some(Condition::Members));
 }
 
-/// One unit less on either side of the widest gap and of the least rate: the bounds are those that are derived by hand.
+/// EK-T5, EK-T6: one unit less on either side of the widest gap and of the least rate: the bounds are those that are derived by hand.
 #[test]
 fn both_inequalities_are_tight() {
     // S̃ = 3, K = 3/2 + d, T = 1/2: Σ̃ = 4, ρ = 4d, G = 1/2 − d, J = 3 + 4d², η = 0, w = E/4, κ = 1 − E/4.
@@ -161,7 +161,7 @@ fn matrix(rows: &[&[i64]]) -> Q {
         .expect("rows")
 }
 
-/// x₂ is not seen and is multiplied by −3/2; then by −1/2.
+/// EK-T7a: x₂ is not seen and is multiplied by −3/2; then by −1/2.
 #[test]
 fn unobservable_modes_forbid_a_solution() {
     let of = |half: i64, basis: &[&[&str]], map: &[&[&str]]| {
@@ -185,7 +185,7 @@ fn unobservable_modes_forbid_a_solution() {
     }
 }
 
-/// A rotation by the angle of 3 + 4i over 5, with no noise of its own and seen with noise, beside a level that shrinks.
+/// EK-T7b: a rotation by the angle of 3 + 4i over 5, with no noise of its own and seen with noise, beside a level that shrinks.
 #[test]
 fn unreachable_modes_on_the_circle_forbid_a_solution() {
     let of = |scale: i64, noise: i64, between: Option<[&str; 2]>| {

@@ -289,7 +289,7 @@ fn checked(timing: Timing, is_ahead: bool, slip: Slip, k: i32) -> Result<(), Rej
     check.step(&document).map(|_| ())
 }
 
-/// Each term of the inequalities is needed: the claim that stands on all of them is accepted, and no narrower one.
+/// EK-L7, EK-T1, EK-T2: each term of the inequalities is needed: the claim that stands on all of them is accepted, and no narrower one.
 #[test]
 fn no_term_may_be_left_out() {
     for (timing, is_ahead) in [(Timing::Departing, false), (Timing::Departing, true), (Timing::Arriving, false)] {
