@@ -25,11 +25,13 @@ fn tier(cases: &str, name: &str, more: &[&str]) -> crate::program::Ran {
     feed(&[&["solve", "-", "--tier", name], more].concat(), cases)
 }
 
-/// The whole suite, letter by letter, what is said of contradictions included.
+/// Of the suite all that exact numbers reach soon, letter by letter, what is said of contradictions included.
 #[test]
 fn auto_prints_what_exact_numbers_print() {
     let suite = run(&["cases", "--format", "json"]).quietly(0);
-    assert!(suite.lines().count() > 300);
+    let is_far = |line: &&str| line.len() > 1 << 13 || line.contains("\"id\":\"large/");
+    let suite: String = suite.lines().filter(|line| !is_far(line)).map(|line| format!("{line}\n")).collect();
+    assert!(suite.lines().count() > 340);
     for more in [&[][..], &["--digits", "60"], &["--digits", "2", "--format", "json"]] {
         let (exact, auto) = (tier(&suite, "exact", more), tier(&suite, "auto", more));
         assert_eq!(exact.code, auto.code);
