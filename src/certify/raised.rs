@@ -13,7 +13,8 @@ use crate::scalar::Rational;
 pub enum Short {
     /// Whether a covariance is regular.
     #[error(
-        "the start is diffuse, or the covariance of the innovation singular or too near to it: enclosures of {bits} bits do not decide"
+        "the start is diffuse, the covariance of the innovation singular or too near to it, or repeated sensors contradict each other: enclosures of \
+         {bits} bits do not decide"
     )]
     Rank {
         /// The bits that they had.

@@ -22,8 +22,8 @@ Examples:
   exact-kalman verify nile.certificate --last
   exact-kalman verify nile.certificate --case examples/certificates/nile.json
 
-The checker shares no code with what makes certificates, computes with integers alone, and needs as
-much memory for a million steps as for one. The format and the inequalities are described in
+The checker shares no code with what makes certificates, and computes with integers alone. It holds the
+case inside, and one step of the certificate at a time. The format and the inequalities are described in
 docs/CERTIFICATES.md. Exit codes: 0 verified, 1 rejected, 2 trouble with a file";
 
 /// Check a certificate: every number in it is proved, or it is rejected
@@ -82,7 +82,7 @@ impl Verify {
         match (result, self.format) {
             (Err(Failed::Trouble(trouble)), _) => return Err(trouble),
             (Ok(Verified { name, lines, .. }), Format::Text) => {
-                writeln!(out, "{name}: verified")?;
+                writeln!(out, "{}: verified", crate::report::printable(&name))?;
                 for (name, value) in lines {
                     writeln!(out, "  {name:36} {value}")?;
                 }

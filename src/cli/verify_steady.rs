@@ -31,7 +31,7 @@ pub(super) fn verified(document: &str, given: Option<&SteadyModel>, most: u32) -
         ProvedSteady::Stabilising { solution, bits, rate_squared, is_covariance } => {
             verdict("stabilising", "exactly one solution has a stable closed loop".into());
             let known = bits.map_or_else(|| "all: it is exact".to_owned(), |bits| digits(bits).to_string());
-            let rate = Numbers { digits: 10, exact: false }.above(&root_above(&rate_squared));
+            let rate = rate(&root_above(&rate_squared), 10);
             let n = solution.states();
             let entries: Vec<Vec<String>> =
                 (0..n).map(|i| (0..n).map(|j| text(&solution.covariance(i, j), most)).collect()).collect();
@@ -49,13 +49,15 @@ pub(super) fn verified(document: &str, given: Option<&SteadyModel>, most: u32) -
             ]);
         }
         ProvedSteady::Unobservable { modes } => {
-            let words = format!("no solution has a stable closed loop: {modes} modes are not observed, and not stable");
+            let words =
+                format!("no closed loop is stable: of {modes} unobserved eigenvalues one has modulus 1 or more");
             verdict("unobservable", words);
             members.push(("modes", json!(modes)));
         }
         ProvedSteady::Unreachable { modes } => {
             let words = format!(
-                "no solution has a stable closed loop: {modes} modes are not reached by noise, one of modulus 1"
+                "no solution with a regular innovation covariance has a stable closed loop: of {modes} eigenvalues that no \
+                 noise reaches, after feedback of the reading, one has modulus 1"
             );
             verdict("unreachable", words);
             members.push(("modes", json!(modes)));
@@ -86,6 +88,12 @@ fn repeated(equation: &SteadyEquation) -> (Step<Rational>, Timing) {
             (step([&a.transpose(), &b.transpose(), q, s, r]), Timing::Departing)
         }
     }
+}
+
+/// A number below 1, rounded up to so many digits, or more, so that it is seen to be below 1.
+fn rate(root: &Rational, digits: u32) -> String {
+    let text = Numbers { digits, exact: false }.above(root);
+    if text == "1" && digits < 4096 { rate(root, 2 * digits) } else { text }
 }
 
 /// Not less than the root of a positive number, and little more.

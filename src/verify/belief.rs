@@ -84,7 +84,10 @@ impl Belief {
     /// other belief, from which this one came.
     pub(super) fn bits(&self, before: &Self) -> Option<u64> {
         let variance = |belief: &Self, i: usize| {
-            let least = belief.covariance.entry(i, i).minus(&belief.gap.entry(i, i));
+            // Indefinite weights may have a solution with negative entries there.
+            let entry = belief.covariance.entry(i, i);
+            let size = if entry.at(0, 0).is_negative() { Table::zero(1, 1).minus(&entry) } else { entry };
+            let least = size.minus(&belief.gap.entry(i, i));
             least.is_positive().then_some(least)
         };
         let of = |i: usize| {

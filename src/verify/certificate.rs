@@ -67,7 +67,7 @@ impl<R: BufRead> FilterCertificate<R> {
         self.header.case.get()
     }
 
-    /// Checks all steps against the path of the case, in bounded memory; hands out what is proved of each as soon as it is.
+    /// Checks all steps against the path of the case, with one step of the certificate in memory at a time; hands out what is proved of each as soon as it is.
     ///
     /// Nothing but the path says for which case it is: whether the case inside is the one that was meant is for the caller.
     ///

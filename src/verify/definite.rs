@@ -5,11 +5,9 @@ use num_traits::{One, Signed, Zero};
 
 use super::table::Table;
 
-/// Bits of the entries of a factor.
-const BITS: u64 = 64;
-
-/// What is taken from the scaled diagonal before it is factored is below it by a factor of two to this power.
-const SPARED: u64 = 10;
+/// Bits of the entries of a factor, and the power of two by which what is taken from the scaled diagonal before it is factored is
+/// below it: few first, more for what is nearly singular.
+const TRIALS: [(u64, u64); 3] = [(64, 10), (256, 128), (1024, 512)];
 
 /// Beyond so many bits times (rows)⁴ nothing is eliminated exactly.
 const WORK: u128 = 1 << 34;
@@ -21,6 +19,8 @@ pub(super) struct Indefinite {
     pub(super) row: usize,
     /// The binary logarithm, rounded up, of how far it falls short there, as far as it is known.
     pub(super) size: Option<i64>,
+    /// Whether it is known to be indefinite.
+    pub(super) is_decided: bool,
 }
 
 /// `matrix ≥ 0`, proved.
@@ -59,22 +59,28 @@ pub(super) fn positive(matrix: &Table) -> Result<(), Indefinite> {
 }
 
 fn short(matrix: &Table, row: usize, entry: &BigInt) -> Indefinite {
-    Indefinite { row, size: Some(length(entry) + 1 + matrix.exponent - length(&matrix.denominator)) }
+    let size = length(entry) + 1 + matrix.exponent - length(&matrix.denominator);
+    Indefinite { row, size: Some(size), is_decided: true }
 }
 
 /// Decides for some rows and columns, whose diagonal is positive.
 fn decided(matrix: &Table, places: &[usize], strictly: bool) -> Result<(), Indefinite> {
     let rest: Vec<Vec<BigInt>> =
         places.iter().map(|&i| places.iter().map(|&j| matrix.at(i, j).clone()).collect()).collect();
-    if has_factor(&rest) {
+    // What is short is eliminated sooner than factored again.
+    let (least, more) = TRIALS.split_at(1);
+    if least.iter().any(|&trial| has_factor(&rest, trial)) {
         return Ok(());
     }
     let bits = rest.iter().flatten().map(BigInt::bits).max().unwrap_or(0);
     let size = u128::try_from(rest.len()).unwrap_or(u128::MAX);
     if size.saturating_pow(4).saturating_mul(bits.into()) > WORK {
-        return Err(Indefinite { row: places.first().copied().unwrap_or(0), size: None });
+        if more.iter().any(|&trial| has_factor(&rest, trial)) {
+            return Ok(());
+        }
+        return Err(Indefinite { row: places.first().copied().unwrap_or(0), size: None, is_decided: false });
     }
-    eliminated(rest, strictly).map_err(|row| Indefinite { row: places[row], size: None })
+    eliminated(rest, strictly).map_err(|row| Indefinite { row: places[row], size: None, is_decided: true })
 }
 
 fn length(integer: &BigInt) -> i64 {
@@ -83,18 +89,18 @@ fn length(integer: &BigInt) -> i64 {
 
 /// Whether the matrix is a factor times its transpose plus what is dominated by its diagonal. The diagonal is positive.
 ///
-/// Each coordinate is first brought to its unit s, `mᵢⱼ = ⌊dᵢⱼ 2^(128 − sᵢ − sⱼ)⌋`; what is cut off lies between ± n on the
+/// Each coordinate is first brought to its unit s, `mᵢⱼ = ⌊dᵢⱼ 2^(2b − sᵢ − sⱼ)⌋` for b bits; what is cut off lies between ± n on the
 /// diagonal. Then `m = L Lᵀ + rest` for the integers L that an approximate factorisation finds, whatever they are.
-fn has_factor(matrix: &[Vec<BigInt>]) -> bool {
+fn has_factor(matrix: &[Vec<BigInt>], (bits, spared): (u64, u64)) -> bool {
     let n = matrix.len();
     let units: Vec<i64> = (0..n).map(|i| length(&matrix[i][i]) / 2 + 1).collect();
-    let places = i64::try_from(2 * BITS).unwrap_or(0);
+    let places = i64::try_from(2 * bits).unwrap_or(0);
     let entry = |i: usize, j: usize| match places - units[i] - units[j] {
         up if up >= 0 => &matrix[i][j] << up,
         down => &matrix[i][j] >> down.unsigned_abs(),
     };
     let scaled: Vec<Vec<BigInt>> = (0..n).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
-    let spared = BigInt::one() << (2 * BITS - SPARED);
+    let spared = BigInt::one() << (2 * bits - spared);
     let mut factor: Vec<Vec<BigInt>> = Vec::with_capacity(n);
     for (i, entries) in scaled.iter().enumerate() {
         let mut row: Vec<BigInt> = Vec::with_capacity(i + 1);
@@ -202,7 +208,10 @@ mod tests {
             assert_eq!(positive(&matrix).is_ok(), is_positive, "{matrix:?}");
             let rows: Vec<Vec<BigInt>> = matrix.entries.chunks(3).map(<[_]>::to_vec).collect();
             // What has a factor is semidefinite even where it is not asked for.
-            assert!(expected || !(a > 0 && c > 0 && f > 0 && has_factor(&rows)), "{matrix:?}");
+            assert!(
+                expected || !(a > 0 && c > 0 && f > 0 && TRIALS.iter().any(|&trial| has_factor(&rows, trial))),
+                "{matrix:?}"
+            );
         }
     }
 
@@ -218,6 +227,22 @@ mod tests {
                 assert_eq!(nonnegative(&matrix).is_ok(), sign > 0, "{place} {unit}");
             }
         }
+    }
+
+    /// L Lᵀ with ones on the diagonal of L and fives below it: its least eigenvalue is about 5^−80 of its largest entry.
+    #[test]
+    fn factors_get_the_bits_that_they_need() {
+        let entry = |i: usize, j: usize| match i.abs_diff(j) {
+            0 => BigInt::from(if i == 0 { 1 } else { 26 }),
+            1 => BigInt::from(5),
+            _ => BigInt::zero(),
+        };
+        let mut matrix: Vec<Vec<BigInt>> = (0..40).map(|i| (0..40).map(|j| entry(i, j)).collect()).collect();
+        let found = |matrix: &[Vec<BigInt>]| TRIALS.map(|trial| has_factor(matrix, trial));
+        assert_eq!(found(&matrix), [false, false, true]);
+        // Less a little it is indefinite.
+        matrix[39][39] -= 2;
+        assert_eq!(found(&matrix), [false; 3]);
     }
 
     #[test]

@@ -99,7 +99,10 @@ pub(super) fn wrong(condition: Condition, message: impl Into<String>) -> Rejecti
 
 /// A matrix that must be positive semidefinite and is not known to be.
 pub(super) fn indefinite(condition: Condition, what: &str, found: &Indefinite) -> Rejection {
-    let Indefinite { row, size } = found;
+    let Indefinite { row, size, is_decided } = found;
+    if !is_decided {
+        return wrong(condition, format!("{what} is not proved: to decide it exactly would take too long"));
+    }
     let by = size.map(|size| format!(", short by about 2^{size}")).unwrap_or_default();
     wrong(condition, format!("{what} is not proved: not positive semidefinite in row {row}{by}"))
 }
