@@ -127,8 +127,9 @@ def check(state, target, document, reading, message):
 
 def main(file):
     lines = open(file, "rb").read().splitlines(keepends=True)
-    header, *steps, end = map(json.loads, lines)
-    need(header.get("certificate") == "exact-kalman filter 1", "not the certificate of a filter")
+    header, *rest = map(json.loads, lines)
+    need(header.get("certificate") == "exact-kalman filter 1" and rest, "not the certificate of a filter")
+    *steps, end = rest
     case, count = header["case"], len(header["case"]["observations"])
     read = lambda x: number(x, case.get("numbers", "binary64"))
     need(end == {"steps": count, "sha256": hashlib.sha256(b"".join(lines[:-1])).hexdigest()}, "digest")

@@ -104,7 +104,7 @@ fn what_is_not_decided_is_said() {
     let ran = tier(&case, "certified", &["--most-bits", "512"]);
     assert_eq!(ran.code, 3, "{}", ran.stderr);
     assert_eq!(ran.stdout.matches(" · step ").count(), 1, "{}", ran.stdout);
-    let begin = "long: at step 1 the start is diffuse, or the covariance of the innovation singular or too near to it: enclosures of 512 bits";
+    let begin = "long: at step 1 the start is diffuse, the covariance of the innovation singular or too near to it, or repeated sensors contradict each other: enclosures of 512 bits";
     assert!(ran.stderr.starts_with(begin) && ran.stderr.contains("--tier auto"), "{}", ran.stderr);
     let json = tier(&case, "certified", &["--most-bits", "512", "--format", "json"]);
     let answer: Value = serde_json::from_str(&json.stdout).expect("it is JSON");
