@@ -217,3 +217,43 @@ fn digest(bytes: &[u8]) -> String {
         digits
     })
 }
+
+/// What `steady` writes of every example, proofs that there is no solution included, is accepted.
+#[test]
+fn certificates_of_steady_states_are_accepted() {
+    let directory = Directory::new();
+    let file = directory.path().join("certificate").to_str().expect("UTF-8").to_owned();
+    let (mut proved, mut absent) = (0, 0);
+    let folders = ["examples/steady", "examples/steady/dare", "examples/steady/hard"];
+    let files = folders.into_iter().flat_map(|folder| fs::read_dir(folder).expect("a folder"));
+    let models = files.map(|file| file.expect("a file").path()).filter(|path| path.is_file());
+    // Those of a hundred states take a minute each.
+    for model in models.filter(|model| !model.to_string_lossy().contains("100")) {
+        let model = model.to_str().expect("UTF-8");
+        let ran = run(&["steady", model, "--digits", "30", "--certificate", &file]);
+        assert!(ran.code <= 1, "{model}: {}", ran.stderr);
+        let found = object(run(&["verify", &file, "--case", model, "--format", "json"]), 0);
+        let verdict = found["verdict"].as_str().expect("a verdict");
+        assert_eq!(verdict == "stabilising", ran.code == 0, "{model}: {verdict}");
+        *(if ran.code == 0 { &mut proved } else { &mut absent }) += 1;
+        if ran.code == 0 {
+            let radius: f64 = found["spectral_radius_at_most"].as_str().and_then(|text| text.parse().ok()).expect("r");
+            assert_ne!(found["spectral_radius_at_most"], "1", "{model}");
+            assert!(radius <= 1.0, "{model}");
+        }
+    }
+    assert!(proved >= 25 && absent >= 3, "{proved} proved, {absent} absent");
+}
+
+/// A name cannot write lines of its own.
+#[test]
+fn names_are_printed_on_one_line() {
+    let directory = Directory::new();
+    let radar = fs::read_to_string("examples/steady/radar.json").expect("an example");
+    let model = directory.file("model.json", radar.replace("\"radar\"", "\"a\\u001b[31m\\nb: verified\""));
+    let file = directory.path().join("certificate").to_str().expect("UTF-8").to_owned();
+    let _ = run(&["steady", &model, "--certificate", &file]);
+    let out = run(&["verify", &file]).quietly(0);
+    let first = out.lines().next().unwrap_or_default();
+    assert!(first.contains("b: verified") && !out.contains('\u{1b}'), "{out}");
+}
