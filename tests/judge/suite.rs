@@ -144,7 +144,8 @@ fn the_suite_is_the_same_twice_and_survives_the_stream() {
     for case in suite() {
         assert_eq!(Case::parse(&case.to_line()).as_ref(), Ok(&case));
         assert_eq!(Case::parse(&case.to_pretty()).as_ref(), Ok(&case));
-        assert!(case.to_line().len() < 16_000, "{}: {} bytes", case.id, case.to_line().len());
+        // Half of what a pipe holds.
+        assert!(case.to_line().len() < 1 << 15, "{}: {} bytes", case.id, case.to_line().len());
     }
 }
 
