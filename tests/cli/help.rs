@@ -44,19 +44,20 @@ fn examples(help: &str) -> Vec<String> {
 fn place() -> Directory {
     let directory = Directory::new();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    symlink(root.join("examples"), directory.path().join("examples")).unwrap();
-    fs::copy(root.join("examples/subjects/textbook.py"), directory.path().join("my_filter.py")).unwrap();
+    symlink(root.join("examples"), directory.path().join("examples")).expect("a writable directory");
+    fs::copy(root.join("examples/subjects/textbook.py"), directory.path().join("my_filter.py"))
+        .expect("a writable directory");
     let script = directory.file("my_filter", "#!/bin/sh\nexec python3 my_filter.py\n");
-    fs::set_permissions(script, fs::Permissions::from_mode(0o755)).unwrap();
+    fs::set_permissions(script, fs::Permissions::from_mode(0o755)).expect("a writable directory");
     directory
 }
 
 fn shell(line: &str, directory: &Path) -> Ran {
-    let programs = Path::new(PROGRAM).parent().unwrap();
+    let programs = Path::new(PROGRAM).parent().expect("a directory");
     let path = format!("{}:{}", programs.display(), std::env::var("PATH").unwrap_or_default());
     let mut command = Command::new("sh");
     command.args(["-c", line]).current_dir(directory).env("PATH", path).stdin(Stdio::null());
-    Ran::of(command.output().unwrap())
+    Ran::of(command.output().expect("the program starts"))
 }
 
 #[test]

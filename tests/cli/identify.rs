@@ -14,13 +14,13 @@ fn moments(readings: &[i64]) -> Value {
 }
 
 fn least_squares() -> Value {
-    serde_json::from_str(&std::fs::read_to_string(LEAST_SQUARES).unwrap()).unwrap()
+    serde_json::from_str(&std::fs::read_to_string(LEAST_SQUARES).expect("a readable file")).expect("JSON")
 }
 
 fn with(mut document: Value, pointer: &str, value: Value) -> Value {
-    let (parent, key) = pointer.rsplit_once('/').unwrap();
-    match document.pointer_mut(parent).unwrap() {
-        Value::Array(items) => items[key.parse::<usize>().unwrap()] = value,
+    let (parent, key) = pointer.rsplit_once('/').expect("two parts");
+    match document.pointer_mut(parent).expect("a place in the document") {
+        Value::Array(items) => items[key.parse::<usize>().expect("a number")] = value,
         other => other[key] = value,
     }
     document
@@ -65,12 +65,12 @@ fn least_squares_by_hand() {
     assert_eq!(run(&["identify", LEAST_SQUARES, "--exact", "--last"]).quietly(0).lines().count(), 3);
     // The batch answer of the last step: information I + Σφφᵀ = [[15, 97], [97, 794]], vector Σφy = (13/2, 21/2).
     let out = run(&["identify", LEAST_SQUARES, "--exact", "--last", "--format", "json"]).quietly(0);
-    let document: Value = serde_json::from_str(&out).unwrap();
+    let document: Value = serde_json::from_str(&out).expect("JSON");
     let determinant = 15 * 794 - 97 * 97;
     let fraction = |text: &Value| {
-        let text = text.as_str().unwrap();
+        let text = text.as_str().expect("a string");
         let (n, d) = text.split_once('/').unwrap_or((text, "1"));
-        (n.parse::<i64>().unwrap(), d.parse::<i64>().unwrap())
+        (n.parse::<i64>().expect("a number"), d.parse::<i64>().expect("a number"))
     };
     let (n, d) = fraction(&document["steps"][0]["mean"][0]);
     assert_eq!(2 * n * determinant, (794 * 13 - 97 * 21) * d);
@@ -81,11 +81,11 @@ fn least_squares_by_hand() {
 #[test]
 fn the_adaptive_filter_is_shown() {
     let out = run(&["identify", ADAPTIVE, "--format", "json"]).quietly(0);
-    let document: Value = serde_json::from_str(&out).unwrap();
-    let steps = document["steps"].as_array().unwrap();
+    let document: Value = serde_json::from_str(&out).expect("JSON");
+    let steps = document["steps"].as_array().expect("an array");
     assert_eq!(steps.len(), 6);
     for step in steps {
-        let number = |key: &str| step[key][0][0].as_str().unwrap().parse::<f64>().unwrap();
+        let number = |key: &str| step[key][0][0].as_str().expect("a string").parse::<f64>().expect("a number");
         let (s, gain, p) = (number("predicted_covariance"), number("gain"), number("filtered_covariance"));
         assert!((p - (1.0 - gain) * s).abs() <= 1e-12 * s && number("process_noise_used") >= 0.0, "{step}");
     }
@@ -175,8 +175,8 @@ fn long_numbers_are_refused_before_the_work_is_begun() {
 fn examples_are_good() {
     for (file, steps) in [(MOMENTS, 6), (ADAPTIVE, 6), (LEAST_SQUARES, 3)] {
         let out = run(&["identify", file, "--format", "json"]).quietly(0);
-        let document: Value = serde_json::from_str(&out).unwrap();
-        assert_eq!(document["steps"].as_array().unwrap().len(), steps, "{file}");
+        let document: Value = serde_json::from_str(&out).expect("JSON");
+        assert_eq!(document["steps"].as_array().expect("an array").len(), steps, "{file}");
     }
     assert_eq!(run(&["identify", MOMENTS, "--exact", "--digits", "5"]).code, 2);
 }

@@ -16,7 +16,7 @@ fn refusal(text: impl AsRef<[u8]>) -> String {
 
 #[test]
 fn one_case_or_one_on_each_line() {
-    let pretty = fs::read_to_string("examples/cases/walk.json").unwrap();
+    let pretty = fs::read_to_string("examples/cases/walk.json").expect("a readable file");
     for (text, count) in [
         (walk("a", &["1"]), 1),
         (format!("\n\n{}\n\n{}\r\n\n", walk("a", &["1"]), walk("b", &["1"])), 2),
@@ -77,7 +77,7 @@ fn directories_are_read_in_order_and_links_do_not_lead_in_circles() {
         directory.file(name, walk(name, &["1"]));
     }
     // One link only: were it followed, the system would end it after forty rounds.
-    symlink(directory.path(), directory.path().join("a/loop.json")).unwrap();
+    symlink(directory.path(), directory.path().join("a/loop.json")).expect("a writable directory");
     let out = run(&["cases", "--cases", directory.name()]).quietly(0);
     let ids: Vec<&str> = out.lines().map(str::trim_end).collect();
     assert_eq!(ids, ["a/y.jsonl", "a/z.json", "b.json"]);
@@ -87,7 +87,7 @@ fn directories_are_read_in_order_and_links_do_not_lead_in_circles() {
 fn what_is_too_long_is_not_read() {
     let directory = Directory::new();
     let file = directory.file("long.json", "");
-    fs::OpenOptions::new().write(true).open(&file).unwrap().set_len(65 << 20).unwrap();
+    fs::OpenOptions::new().write(true).open(&file).expect("a new file").set_len(65 << 20).expect("room on the disk");
     for arguments in [["solve", &file].as_slice(), &["check", "--cases", &file], &["judge", &file]] {
         let message = run(arguments).trouble();
         assert!(message.contains("long.json holds more than 67108864 bytes"), "{message}");

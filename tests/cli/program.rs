@@ -49,16 +49,20 @@ pub(crate) fn program(arguments: &[&str]) -> Command {
 }
 
 pub(crate) fn run(arguments: &[&str]) -> Ran {
-    Ran::of(program(arguments).output().unwrap())
+    Ran::of(program(arguments).output().expect("the program starts"))
 }
 
 /// Runs it with this text on standard input.
 pub(crate) fn feed(arguments: &[&str], input: &str) -> Ran {
-    let mut child =
-        program(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut child = program(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
     // A program that has seen enough may close its end.
-    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
-    Ran::of(child.wait_with_output().unwrap())
+    let _ = child.stdin.take().expect("a pipe").write_all(input.as_bytes());
+    Ran::of(child.wait_with_output().expect("the program ends"))
 }
 
 /// A directory of its own that is gone in the end.
@@ -69,7 +73,7 @@ impl Directory {
         static COUNT: AtomicUsize = AtomicUsize::new(0);
         let number = COUNT.fetch_add(1, Ordering::Relaxed);
         let path = std::env::temp_dir().join(format!("exact-kalman-{}-{number}", std::process::id()));
-        fs::create_dir_all(&path).unwrap();
+        fs::create_dir_all(&path).expect("a writable directory");
         Self(path)
     }
 
@@ -80,13 +84,13 @@ impl Directory {
     /// The path of a file with this text.
     pub(crate) fn file(&self, name: &str, text: impl AsRef<[u8]>) -> String {
         let path = self.0.join(name);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(&path, text).unwrap();
-        path.to_str().unwrap().to_owned()
+        fs::create_dir_all(path.parent().expect("a directory")).expect("a writable directory");
+        fs::write(&path, text).expect("a writable directory");
+        path.to_str().expect("UTF-8").to_owned()
     }
 
     pub(crate) fn name(&self) -> &str {
-        self.0.to_str().unwrap()
+        self.0.to_str().expect("UTF-8")
     }
 }
 

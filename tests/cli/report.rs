@@ -27,7 +27,8 @@ fn a_finding_says_where_how_much_and_what_is_right() {
 fn a_singular_innovation_says_why_fifteen_digits_count() {
     let directory = Directory::new();
     run(&["cases", "--only", "singular/settled-after-one", "--out", directory.name()]);
-    let case = std::fs::read_to_string(directory.path().join("singular/settled-after-one.json")).unwrap();
+    let case =
+        std::fs::read_to_string(directory.path().join("singular/settled-after-one.json")).expect("a readable file");
     // The constant 0.75 is read without noise: the second answer is a little off.
     let step = |mean: &str| format!(r#"{{"filtered_mean":["{mean}"]}}"#);
     let steps = [step("0.75"), step("0.7500001"), step("0.75")].join(",");

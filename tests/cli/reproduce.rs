@@ -26,8 +26,8 @@ fn same_seed_same_bytes() {
 #[test]
 fn the_table_as_json() {
     let out = run(&[&SMALL[..], &["--reading", "last", "--format", "json"]].concat()).quietly(0);
-    let table: Value = serde_json::from_str(&out).unwrap();
-    let cells = table["cells"].as_array().unwrap();
+    let table: Value = serde_json::from_str(&out).expect("JSON");
+    let cells = table["cells"].as_array().expect("an array");
     assert_eq!((&table["reading"], &table["seed"], cells.len()), (&"last".into(), &1969.into(), 48));
     let inside = cells.iter().filter(|cell| cell["inside"] == Value::Bool(true)).count();
     assert_eq!(table["inside"], inside);

@@ -21,7 +21,7 @@ fn the_level_of_the_nile_in_1970() {
     assert_eq!(value(&out, "filtered mean"), "798.37029260836422212280568");
     assert!(value(&out, "filtered covariance").starts_with("4032.15794180847616502029"), "{out}");
     // … and for 1469.1 itself.
-    let exact = std::fs::read_to_string(NILE).unwrap().replace("binary64", "exact");
+    let exact = std::fs::read_to_string(NILE).expect("a readable file").replace("binary64", "exact");
     let out = feed(&["solve", "-", "--last", "--digits", "26"], &exact).quietly(0);
     assert_eq!(value(&out, "filtered mean"), "798.37029260836421990910956");
     assert!(value(&out, "filtered covariance").starts_with("4032.15794180847627059876"), "{out}");
@@ -106,7 +106,7 @@ fn the_trace_says_what_is_said_without_it() {
 fn predictions_ahead() {
     // By hand: filtered 1/2 and 1/2, then 2 and 3/5; a walk stays where it is, and its variance grows by one a step.
     let out = run(&["solve", WALK, "--exact", "--ahead", "2"]).quietly(0);
-    let (first, last) = out.split_at(out.find("walk/two-readings · step 1").unwrap());
+    let (first, last) = out.split_at(out.find("walk/two-readings · step 1").expect("it is printed"));
     for (step, mean, one, two) in [(first, "1/2", "3/2", "5/2"), (last, "2", "8/5", "13/5")] {
         assert_eq!((value(step, "mean 1 ahead"), value(step, "covariance 1 ahead")), (mean, one));
         assert_eq!((value(step, "mean 2 ahead"), value(step, "covariance 2 ahead")), (mean, two));
@@ -126,7 +126,7 @@ fn predictions_ahead() {
 #[test]
 fn predictions_ahead_in_json() {
     let out = run(&["solve", WALK, "--exact", "--ahead", "2", "--format", "json"]).quietly(0);
-    let answer: Value = serde_json::from_str(&out).unwrap();
+    let answer: Value = serde_json::from_str(&out).expect("JSON");
     let law = |mean: &str, variance: &str| serde_json::json!({"mean": [mean], "covariance": [[variance]]});
     assert_eq!(answer["steps"][1]["ahead"], Value::from(vec![law("2", "8/5"), law("2", "13/5")]));
     let out = run(&["solve", WALK, "--exact", "--format", "json"]).quietly(0);
@@ -138,13 +138,13 @@ fn predictions_of_a_diffuse_state_are_absent() {
     // Two states that nothing moves; the first reading sees one of them, the second both.
     let case = r#"{"format":"exact-kalman/case/1","id":"two","timing":"departing","initial":{"before":"observation","mean":["0","0"],"covariance":[["0","0"],["0","0"]],"diffuse":[["1","0"],["0","1"]]},"transition":[["1","0"],["0","1"]],"observation":[[["1","0"]],[["1","1"]]],"noise":{"process":[["0","0"],["0","0"]],"observation":[["1"]]},"observations":[["3"],["5"]]}"#;
     let out = feed(&["solve", "-", "--ahead", "1"], case).quietly(0);
-    let (first, last) = out.split_at(out.find("two · step 1").unwrap());
+    let (first, last) = out.split_at(out.find("two · step 1").expect("it is printed"));
     assert!(first.contains("not yet resolved") && !first.contains("ahead"), "{first}");
     assert_eq!((value(last, "mean 1 ahead"), value(last, "covariance 1 ahead")), ("[3, 2]", "[[1, -1], [-1, 2]]"));
     let out = feed(&["solve", "-", "--ahead", "1", "--trace"], case).quietly(0);
     assert!(out.contains("covariance 1 ahead of order kappa    [[0, 0], [0, 1]]\n"), "{out}");
     let out = feed(&["solve", "-", "--ahead", "1", "--format", "json"], case).quietly(0);
-    let answer: Value = serde_json::from_str(&out).unwrap();
+    let answer: Value = serde_json::from_str(&out).expect("JSON");
     assert_eq!(answer["steps"][0]["ahead"], serde_json::json!([null]));
 }
 
@@ -192,7 +192,7 @@ fn answers_of_the_protocol() {
     for (options, mean) in [(&["--digits", "4"][..], "0.3333"), (&["--exact"][..], "1/3")] {
         let case = walk("third", &["1"]).replace(r#"observation":[["1"]]},"#, r#"observation":[["2"]]},"#);
         let out = feed(&[&["solve", "-", "--format", "json"], options].concat(), &case).quietly(0);
-        let answer: Value = serde_json::from_str(&out).unwrap();
+        let answer: Value = serde_json::from_str(&out).expect("JSON");
         assert_eq!((&answer["id"], &answer["outcome"]), (&"third".into(), &"answered".into()));
         assert_eq!((&answer["numbers"], &answer["steps"][0]["filtered_mean"][0]), (&"exact".into(), &mean.into()));
     }
@@ -209,8 +209,8 @@ fn hilgert_vila(more: &str) -> String {
 fn an_indefinite_prior_is_refused_with_a_witness() {
     let message = feed(&["solve", "-"], &hilgert_vila("")).trouble();
     assert!(message.contains("\"hv\"") && message.contains("initial.covariance"), "{message}");
-    let vector = message.split("v = [").nth(1).unwrap().split(']').next().unwrap();
-    let v: Vec<f64> = vector.split(", ").map(|entry| entry.parse().unwrap()).collect();
+    let vector = message.split("v = [").nth(1).expect("it is printed").split(']').next().expect("at least one");
+    let v: Vec<f64> = vector.split(", ").map(|entry| entry.parse().expect("a number")).collect();
     let form = 80.0 * v[0] * v[0] + 1000.0 * v[0] * v[1] + 80.0 * v[1] * v[1];
     assert!(form < 0.0 && message.contains(&format!("vᵀPv = {form}")), "{message}");
 }
@@ -235,7 +235,7 @@ fn a_contradiction_is_told_with_its_step() {
     assert!(ran.stderr.starts_with("singular/known-state-contradicted: at step 2 "), "{}", ran.stderr);
     assert!(ran.stdout.contains("step 1\n") && !ran.stdout.contains("step 2\n"), "{}", ran.stdout);
     let ran = run(&["solve", directory.name(), "--format", "json"]);
-    let answer: Value = serde_json::from_str(&ran.stdout).unwrap();
+    let answer: Value = serde_json::from_str(&ran.stdout).expect("JSON");
     assert_eq!((&answer["outcome"], &answer["step"]), (&"flagged".into(), &2.into()));
 }
 
@@ -248,7 +248,7 @@ fn one_bad_case_does_not_hide_the_others() {
     assert!(ran.stdout.contains("first · step 0") && ran.stdout.contains("last · step 0"), "{}", ran.stdout);
     assert!(ran.stderr.starts_with("error: case \"bad\": observations[1][0]: "), "{}", ran.stderr);
     let ran = feed(&["solve", "-", "--format", "json"], &stream);
-    let outcomes: Vec<Value> = ran.stdout.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-    let outcomes: Vec<&str> = outcomes.iter().map(|answer| answer["outcome"].as_str().unwrap()).collect();
+    let outcomes: Vec<Value> = ran.stdout.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let outcomes: Vec<&str> = outcomes.iter().map(|answer| answer["outcome"].as_str().expect("a string")).collect();
     assert_eq!((ran.code, outcomes), (2, vec!["answered", "refused", "answered"]));
 }

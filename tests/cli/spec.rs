@@ -9,7 +9,7 @@ fn listed() -> Vec<(String, String)> {
     let status =
         |section: &str| section.lines().find_map(|line| line.strip_prefix('*')?.split('*').next().map(str::to_owned));
     sections
-        .map(|section| (section.split(' ').next().unwrap_or_default().to_owned(), status(section).unwrap()))
+        .map(|section| (section.split(' ').next().unwrap_or_default().to_owned(), status(section).expect("a status")))
         .collect()
 }
 
@@ -20,7 +20,7 @@ fn every_item_of_a_paper_is_listed() {
         let expected = listed().into_iter().filter(|(id, _)| id.starts_with(&format!("{paper}-")));
         let found = printed.lines().map(|line| {
             let mut words = line.split_whitespace().map(str::to_owned);
-            (words.next().unwrap(), words.next().unwrap())
+            (words.next().expect("at least one"), words.next().expect("at least one"))
         });
         assert!(found.eq(expected), "{printed}");
     }
@@ -53,7 +53,7 @@ fn the_overview_counts() {
         let of_paper: Vec<_> = listed().into_iter().filter(|(id, _)| id.starts_with(&format!("{paper}-"))).collect();
         let with = |status: &str| of_paper.iter().filter(|(_, own)| own == status).count();
         let counts = [of_paper.len(), with("implemented"), with("checked"), with("prose"), with("open")];
-        let numbers: Vec<usize> = line[56..].split_whitespace().map(|word| word.parse().unwrap()).collect();
+        let numbers: Vec<usize> = line[56..].split_whitespace().map(|word| word.parse().expect("a number")).collect();
         assert_eq!(numbers[..5], counts, "{line}");
     }
 }
@@ -71,7 +71,7 @@ fn an_item_is_printed_with_its_code_and_tests() {
 #[test]
 fn json_is_one_item_on_each_line() {
     let printed = run(&["spec", "CKS-12", "--format", "json"]).quietly(0);
-    let document: serde_json::Value = serde_json::from_str(printed.trim()).unwrap();
+    let document: serde_json::Value = serde_json::from_str(printed.trim()).expect("JSON");
     assert_eq!((&document["id"], &document["status"]), (&"CKS-12".into(), &"implemented".into()));
     assert_eq!(document["errata"][0]["right"], "the last factor is P_yx|z");
 }

@@ -124,14 +124,15 @@ fn walk(last: f64) -> PathAhead<f64> {
         observation_input: None,
     };
     let data = [1, 77].map(|y| Observation::complete([ratio(y, 1)]));
-    let path = walk.realised_ahead(&data, NonZero::new(2).unwrap()).unwrap();
-    path.try_map(|value| if *value == ratio(77, 1) { Some(last) } else { value.to_f64() }.ok_or(())).unwrap()
+    let path = walk.realised_ahead(&data, NonZero::new(2).expect("not zero")).expect("a sound system");
+    path.try_map(|value| if *value == ratio(77, 1) { Some(last) } else { value.to_f64() }.ok_or(()))
+        .expect("all are numbers")
 }
 
 #[test]
 fn prediction_ends_where_the_transitions_do() {
     for form in Form::ALL {
-        let laws = predict_ahead(form, &walk(3.0)).unwrap();
+        let laws = predict_ahead(form, &walk(3.0)).expect("consistent data");
         assert_eq!(laws.iter().map(Vec::len).collect::<Vec<_>>(), [1, 0], "{form}");
         let bound = ROUNDINGS * f64::EPSILON;
         assert!((laws[0][0].mean[(0, 0)] - 0.5).abs() <= bound, "{form}");

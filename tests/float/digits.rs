@@ -38,14 +38,14 @@ pub(crate) fn least(found: &Values<f64>, truth: &Values<Rational>) -> f64 {
 
 fn entry(found: f64, exact: &Rational, scale: f64) -> f64 {
     let error = Rational::from_float(found).expect("filters return finite numbers only") - exact;
-    let error = error.to_f64().unwrap().abs();
+    let error = error.to_f64().expect("a double").abs();
     if error == 0.0 {
         return ALL;
     }
-    let scale = scale.max(exact.to_f64().unwrap().abs());
+    let scale = scale.max(exact.to_f64().expect("a double").abs());
     (-(error / scale).log10()).min(ALL)
 }
 
 fn deviations(covariance: &Matrix<Rational>) -> Vec<f64> {
-    (0..covariance.rows()).map(|i| covariance[(i, i)].to_f64().unwrap().sqrt()).collect()
+    (0..covariance.rows()).map(|i| covariance[(i, i)].to_f64().expect("a double").sqrt()).collect()
 }

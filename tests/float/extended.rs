@@ -57,10 +57,10 @@ fn of_path(path: &Path<f64>, linearisation: Linearisation, ahead: usize) -> Exte
 
 /// The digits that are right of a mean and a covariance, in units of the exact standard deviations.
 fn digits(found: &Moments<f64>, mean: &Matrix<Rational>, covariance: &Matrix<Rational>) -> f64 {
-    let deviation = |i: usize| covariance[(i, i)].to_f64().unwrap().sqrt();
+    let deviation = |i: usize| covariance[(i, i)].to_f64().expect("a double").sqrt();
     let of = |found: f64, exact: &Rational, scale: f64| {
-        let error = (Rational::from_float(found).expect("finite") - exact).to_f64().unwrap().abs();
-        if error == 0.0 { 17.0 } else { -(error / scale.max(exact.to_f64().unwrap().abs())).log10() }
+        let error = (Rational::from_float(found).expect("finite") - exact).to_f64().expect("a double").abs();
+        if error == 0.0 { 17.0 } else { -(error / scale.max(exact.to_f64().expect("a double").abs())).log10() }
     };
     let n = mean.rows();
     let means = (0..n).map(|i| of(found.mean[(i, 0)], &mean[(i, 0)], deviation(i)));

@@ -31,14 +31,15 @@ impl Affine {
 /// any moment; then the one joint law is conditioned.
 pub(crate) fn values(path: &Path<Rational>) -> Vec<Values<Rational>> {
     let (n, m, steps) = (path.states(), path.sensors(), path.steps());
-    let mut sources = Gaussian::new(path.initial().mean.clone(), path.initial().covariance.clone()).unwrap();
+    let mut sources =
+        Gaussian::new(path.initial().mean.clone(), path.initial().covariance.clone()).expect("a covariance");
     for step in steps {
         let (process, cross) = step.transition.as_ref().map_or_else(
             || (Matrix::zeros(n, n), Matrix::zeros(n, m)),
             |transition| (transition.noise.clone(), transition.cross_noise.clone()),
         );
         let joint = process.beside(&cross).above(&cross.transpose().beside(&step.observation_noise));
-        sources = sources.joined(&Gaussian::new(Matrix::zeros(n + m, 1), joint).unwrap());
+        sources = sources.joined(&Gaussian::new(Matrix::zeros(n + m, 1), joint).expect("a covariance"));
     }
     let dimension = sources.dimension();
     let source = |first: usize, count: usize| {
@@ -92,17 +93,18 @@ fn at(
     let places = |range: std::ops::Range<usize>| range.map(|i| n + i).collect::<Vec<_>>();
 
     let mut values = Values::new();
-    let filtered = joint.conditioned(&places(0..readings.rows()), &readings).unwrap().law;
+    let filtered = joint.conditioned(&places(0..readings.rows()), &readings).expect("data that are possible").law;
     values.insert(Quantity::FilteredMean, filtered.mean().clone());
     values.insert(Quantity::FilteredCovariance, filtered.covariance().clone());
-    let before = joint.conditioned(&places(0..past), &readings.block(0..past, 0..1)).unwrap().law;
+    let before =
+        joint.conditioned(&places(0..past), &readings.block(0..past, 0..1)).expect("data that are possible").law;
     let state: Vec<usize> = (0..n).collect();
     let predicted = before.marginal(&state);
     values.insert(Quantity::PredictedMean, predicted.mean().clone());
     values.insert(Quantity::PredictedCovariance, predicted.covariance().clone());
     if readings.rows() > past {
         let last = readings.block(past..readings.rows(), 0..1);
-        let update = before.conditioned(&places(0..last.rows()), &last).unwrap();
+        let update = before.conditioned(&places(0..last.rows()), &last).expect("data that are possible");
         values.insert(Quantity::Innovation, update.innovation);
         values.insert(Quantity::InnovationCovariance, update.innovation_covariance);
         values.insert(Quantity::Gain, update.gain);

@@ -8,7 +8,7 @@ use serde_json::json;
 use crate::samples::{belief, of_suite, path};
 
 fn reference(case: &Case) -> Reference {
-    Reference::of(&path(case)).unwrap()
+    Reference::of(&path(case)).expect("a solvable problem")
 }
 
 #[test]
@@ -35,7 +35,7 @@ fn cancellation_costs_what_it_costs() {
         "initial": {"before": "observation", "mean": ["1048576"], "covariance": [["1"]]},
         "transition": [["1"]], "observation": [["1"]],
         "noise": {"process": [["0"]], "observation": [["1"]]}, "observations": [["1048577"]]});
-    let reference = reference(&Case::parse(&text.to_string()).unwrap());
+    let reference = reference(&Case::parse(&text.to_string()).expect("a sound case"));
     // ν = y − C m: three data of relative move u, of which y and C m reach 3·2²⁰u together; its unit is √2, S = 2.
     let expected = -(3.0 * 2.0_f64.powi(20 - 53) / 2.0_f64.sqrt()).log10();
     let found = reference.attainable[0][&Quantity::Innovation].value();
@@ -52,7 +52,7 @@ fn a_nearly_singular_prior_is_moved_as_rounding_moves_it() {
             "covariance": [["1", close.to_string()], [close.to_string(), "1"]]},
         "transition": [["1", "0"], ["0", "1"]], "observation": [["1", "-1"]],
         "noise": {"process": [["0", "0"], ["0", "0"]], "observation": [["0"]]}, "observations": [["0.00001"]]});
-    let reference = reference(&Case::parse(&text.to_string()).unwrap());
+    let reference = reference(&Case::parse(&text.to_string()).expect("a sound case"));
     let bits = reference.attainable[0][&Quantity::InnovationCovariance].value() / std::f64::consts::LOG10_2;
     assert!((22.0 - 0.01..=24.0).contains(&bits), "{bits}");
 }
@@ -107,7 +107,7 @@ fn a_blind_sensor_makes_nothing_attainable() {
             "initial": {"before": "observation", "mean": ["0", "0"], "covariance": [["1", "0"], ["0", "1"]]},
             "transition": [["1", "0"], ["0", "1"]], "observation": rows,
             "noise": {"process": [["0", "0"], ["0", "0"]], "observation": variances}, "observations": [reading]});
-        reference(&Case::parse(&text.to_string()).unwrap())
+        reference(&Case::parse(&text.to_string()).expect("a sound case"))
     };
     let (regular, singular) = (case(false), case(true));
     assert!(!regular.structural && singular.structural);
@@ -138,7 +138,7 @@ fn a_diffuse_start_that_moved_data_would_resolve_elsewhere_is_structure() {
             "diffuse": [["1", "2"], ["2", "4"]]},
         "transition": [["0.1", "0.3"], ["0.5", "0.7"]], "observation": [["0.2", "-0.1"]],
         "noise": {"process": [["0", "0"], ["0", "0"]], "observation": [["1"]]}, "observations": [["1"], ["2"], ["1"]]});
-    let reference = reference(&Case::parse(&text.to_string()).unwrap());
+    let reference = reference(&Case::parse(&text.to_string()).expect("a sound case"));
     assert!(!reference.values[0].contains_key(&Quantity::FilteredMean), "y_0 does not resolve it");
     assert!(reference.values[1].contains_key(&Quantity::FilteredMean), "y_1 does");
     assert!(reference.structural);

@@ -70,12 +70,12 @@ fn every_bad_case_is_refused_for_its_one_fault() {
     for (case, (id, place, pointer, repair)) in bad.iter().zip(repairs) {
         let why = refusal(case).expect(id);
         assert!(why.starts_with(&format!("{place}: ")), "{id}: {why}");
-        let mut document: Value = serde_json::from_str(&case.to_line()).unwrap();
+        let mut document: Value = serde_json::from_str(&case.to_line()).expect("JSON");
         match document.pointer_mut(pointer) {
             Some(entry) => *entry = repair,
-            None => document["observation"].as_array_mut().unwrap().push(repair),
+            None => document["observation"].as_array_mut().expect("an array").push(repair),
         }
-        let repaired = Case::parse(&document.to_string()).unwrap();
+        let repaired = Case::parse(&document.to_string()).expect("a sound case");
         assert_eq!(refusal(&repaired), None, "{id}");
     }
 }

@@ -79,7 +79,7 @@ fn a_variance_of_zero_is_measured_by_the_largest_of_the_run() {
     let text = r#"{"format":"exact-kalman/case/1","id":"known","timing":"departing",
         "initial":{"before":"observation","mean":["0"],"covariance":[["4"]]},"transition":[["1"]],"observation":[["1"]],
         "noise":{"process":[["0"]],"observation":[["0"]]},"observations":[["1"]]}"#;
-    let case = Case::parse(text).unwrap();
+    let case = Case::parse(text).expect("a sound case");
     assert_eq!(digits(&case, (0, Quantity::FilteredCovariance, 0, 0), &(ratio(4, 1) * ten_to(-5))), 5.0);
     assert_eq!(digits(&case, (0, Quantity::FilteredMean, 0, 0), &(ratio(2, 1) * ten_to(-5))), 5.0);
     // Nothing sets a scale for a state that is always known: only the exact value is right.
@@ -166,10 +166,10 @@ fn a_gain_is_not_judged() {
     let case = of_suite("basic/constant");
     let line = json!({"id": case.id, "outcome": "answered", "steps": [
         {"filtered_mean": ["0.5"], "gain": [["99"]]}, {"filtered_mean": ["1"], "gain": [["99"]]}]});
-    let reply = Reply::Answer(Answer::parse(&line.to_string()).unwrap());
+    let reply = Reply::Answer(Answer::parse(&line.to_string()).expect("a sound answer"));
     assert_eq!(Judgement::of(case.expect, &Truth::of(&case), &reply).verdict, Verdict::Agrees);
     let only: Value =
         json!({"id": case.id, "outcome": "answered", "steps": [{"gain": [["0.5"]]}, {"gain": [["0.5"]]}]});
-    let reply = Reply::Answer(Answer::parse(&only.to_string()).unwrap());
+    let reply = Reply::Answer(Answer::parse(&only.to_string()).expect("a sound answer"));
     assert_eq!(Judgement::of(case.expect, &Truth::of(&case), &reply).verdict, Verdict::Wrong);
 }

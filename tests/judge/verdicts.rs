@@ -16,7 +16,7 @@ use crate::samples::{add, exact_answer, judge, of_suite, outcome, rounded_answer
 fn variance_with(digits: f64) -> Verdict {
     let case = of_suite("basic/constant");
     let mut answer = exact_answer(&case);
-    let error = Rational::from_float(0.5 * 10.0_f64.powf(-digits)).unwrap();
+    let error = Rational::from_float(0.5 * 10.0_f64.powf(-digits)).expect("finite");
     add(&mut answer, (0, Quantity::FilteredCovariance, 0, 0), &error);
     judge(&case, answer).verdict
 }
@@ -44,7 +44,7 @@ fn where_little_is_attainable_little_is_asked() {
         "initial": {"before": "observation", "mean": ["1e15"], "covariance": [["1"]]},
         "transition": [["1"]], "observation": [["1"]],
         "noise": {"process": [["0"]], "observation": [["1"]]}, "observations": [["1000000000000001"]]});
-    let case = Case::parse(&text.to_string()).unwrap();
+    let case = Case::parse(&text.to_string()).expect("a sound case");
     let verdict = |innovation: Rational| {
         let mut answer = exact_answer(&case);
         answer.steps[0].insert(Quantity::Innovation, Matrix::column(vec![Number::Finite(innovation)]));
@@ -68,13 +68,13 @@ fn asymmetric() {
     // The variances at step 4 lie between 0.1 and 10: errors relative to them are within a power of ten of these.
     let judgement = with(ratio(1, 10_000_000_000));
     assert_eq!(judgement.verdict, Verdict::Asymmetric);
-    let (quantity, step, found) = judgement.asymmetric.unwrap();
+    let (quantity, step, found) = judgement.asymmetric.expect("it is asymmetric");
     assert_eq!((quantity, step, found.row, found.column), (place.1, place.0, 0, 1));
     assert!(found.beyond_rounding);
     // The last bit is a remark, no finding.
     let judgement = with(ratio(1, 1 << 53));
     assert_eq!(judgement.verdict, Verdict::Agrees);
-    assert!(!judgement.asymmetric.unwrap().2.beyond_rounding);
+    assert!(!judgement.asymmetric.expect("it is asymmetric").2.beyond_rounding);
 }
 
 /// vᵀPv by the double sum.
@@ -103,7 +103,7 @@ fn not_psd_with_a_witness() {
     let error = ratio(1, 100_000_000);
     let judgement = rank_one_with(&error);
     assert_eq!(judgement.verdict, Verdict::NotPositiveSemidefinite);
-    let (quantity, step, found) = judgement.indefinite.unwrap();
+    let (quantity, step, found) = judgement.indefinite.expect("it is indefinite");
     assert_eq!((quantity, step, found.beyond_rounding), (Quantity::PredictedCovariance, 0, true));
     let off = ratio(2, 1) + error;
     let matrix = [[ratio(1, 1), off.clone()], [off, ratio(4, 1)]];
@@ -116,7 +116,7 @@ fn indefinite_by_rounding_is_no_finding() {
     // 2⁻⁵² of 2 is the last bit but one of a double.
     let judgement = rank_one_with(&ratio(1, 1 << 51));
     assert_eq!(judgement.verdict, Verdict::Agrees);
-    let (.., found) = judgement.indefinite.unwrap();
+    let (.., found) = judgement.indefinite.expect("it is indefinite");
     assert!(!found.beyond_rounding && found.proof.value < ratio(0, 1));
 }
 
@@ -169,7 +169,7 @@ fn contradictions_are_reported_at_their_step() {
     let with = |outcome: &str, mean: &str| {
         let line = json!({"id": case.id, "outcome": outcome, "step": 2,
             "steps": [step("2"), step(mean), step("2"), step("2")]});
-        judge(&case, exact_kalman::protocol::Answer::parse(&line.to_string()).unwrap()).verdict
+        judge(&case, exact_kalman::protocol::Answer::parse(&line.to_string()).expect("a sound answer")).verdict
     };
     assert_eq!(with("flagged", "2"), Verdict::Agrees);
     assert_eq!(with("flagged", "3"), Verdict::Wrong);
@@ -199,7 +199,7 @@ fn undecided_where_the_truth_is_too_long() {
         "initial": {"before": "observation", "mean": ["0", "0"], "covariance": one_source},
         "transition": [[long, "0"], ["0", long]], "observation": [["1", "0"], ["0", "1"]],
         "noise": {"process": one_source, "observation": one_source}, "observations": vec![["1", "1"]; 40]});
-    let case = Case::parse(&text.to_string()).unwrap();
+    let case = Case::parse(&text.to_string()).expect("a sound case");
     let answer = outcome(&case, Outcome::Answered, None);
     let judgement = judge(&case, answer);
     assert_eq!(judgement.verdict, Verdict::Undecided);
@@ -210,7 +210,7 @@ fn undecided_where_the_truth_is_too_long() {
         "initial": {"before": "observation", "mean": vec!["0"; 200], "covariance": unit},
         "transition": unit, "observation": [vec!["1"; 200]],
         "noise": {"process": unit, "observation": [["1"]]}, "observations": [["1"], ["1"]]});
-    let wide = Case::parse(&text.to_string()).unwrap();
+    let wide = Case::parse(&text.to_string()).expect("a sound case");
     let judgement = judge(&wide, outcome(&wide, Outcome::Answered, None));
     assert_eq!(judgement.verdict, Verdict::Undecided);
     assert!(judgement.remarks[0].contains("2 steps of 200 states and 1 sensors"), "{:?}", judgement.remarks);

@@ -13,7 +13,7 @@ fn step(keys: &str) -> String {
 }
 
 fn first(text: &str) -> Number {
-    Answer::parse(text).unwrap().steps[1][&Quantity::FilteredMean][(0, 0)].clone()
+    Answer::parse(text).expect("a sound answer").steps[1][&Quantity::FilteredMean][(0, 0)].clone()
 }
 
 fn refusal(text: &str) -> String {
@@ -58,13 +58,13 @@ fn exact_strings_mean_themselves() {
 fn every_quantity_has_its_key() {
     for quantity in Quantity::ALL.into_iter().filter(|quantity| !quantity.is_number()) {
         let value = if quantity.is_vector() { "[\"1\",\"2\"]" } else { "[[\"1\",\"2\"],[\"3\",\"4\"]]" };
-        let answer = Answer::parse(&step(&format!("\"{}\":{value}", quantity.name()))).unwrap();
+        let answer = Answer::parse(&step(&format!("\"{}\":{value}", quantity.name()))).expect("a sound answer");
         let matrix = &answer.steps[1][&quantity];
         let column = usize::from(!quantity.is_vector());
         assert_eq!((matrix.rows(), &matrix[(0, 0)]), (2, &Number::Finite(ratio(1, 1))));
         let expected = if quantity.is_vector() { 2 } else { 4 };
         assert_eq!(matrix[(1, column)], Number::Finite(ratio(expected, 1)));
-        let absent = Answer::parse(&step(&format!("\"{}\":null", quantity.name()))).unwrap();
+        let absent = Answer::parse(&step(&format!("\"{}\":null", quantity.name()))).expect("a sound answer");
         assert!(absent.steps[1].is_empty());
     }
     let number = Answer::parse(&step(r#""log_likelihood":-1.5"#)).expect("an answer");
@@ -77,17 +77,18 @@ fn every_quantity_has_its_key() {
 
 #[test]
 fn laws_ahead() {
-    let answer = Answer::parse(&step(r#""ahead":[null,{"mean":["1",2],"covariance":[["1","2"],["3","4"]]}]"#)).unwrap();
+    let answer = Answer::parse(&step(r#""ahead":[null,{"mean":["1",2],"covariance":[["1","2"],["3","4"]]}]"#))
+        .expect("a sound answer");
     let finite = |value: i64| Number::Finite(ratio(value, 1));
     let law = LawAhead {
         mean: Matrix::column(vec![finite(1), finite(2)]),
-        covariance: Matrix::from_fn(2, 2, |i, j| finite(1 + i64::try_from(2 * i + j).unwrap())),
+        covariance: Matrix::from_fn(2, 2, |i, j| finite(1 + i64::try_from(2 * i + j).expect("small"))),
     };
     assert_eq!(answer.ahead, [vec![], vec![None, Some(law)]]);
     assert_eq!(Answer::parse(&answer.to_line()), Ok(answer));
     // None at all is no list of nothing for each step.
     for none in [r#""ahead":null"#, r#""ahead":[]"#, ""] {
-        let answer = Answer::parse(&step(none)).unwrap();
+        let answer = Answer::parse(&step(none)).expect("a sound answer");
         assert_eq!(answer.ahead, Vec::<Vec<_>>::new());
         assert!(!answer.to_line().contains("ahead"));
     }
@@ -125,7 +126,8 @@ fn errors_have_paths() {
 
 #[test]
 fn failures_say_where() {
-    let answer = Answer::parse(r#"{"id":"a","outcome":"error","step":3,"message":"singular"}"#).unwrap();
+    let answer =
+        Answer::parse(r#"{"id":"a","outcome":"error","step":3,"message":"singular"}"#).expect("a sound answer");
     assert_eq!((answer.outcome, answer.step, answer.message.as_deref()), (Outcome::Error, Some(3), Some("singular")));
     assert_eq!(answer.steps.len(), 0);
 }
@@ -147,7 +149,7 @@ proptest! {
             None if value.is_nan() => Number::NotANumber,
             None => Number::Infinite { negative: *value < 0.0 },
         };
-        let back = Answer::parse(&line).unwrap();
+        let back = Answer::parse(&line).expect("a sound answer");
         prop_assert_eq!(&back.steps[0], &values(&mean.map(|v| expected(&v)), &covariance.map(|v| expected(&v))));
         prop_assert_eq!(back.steps.len(), 2);
         prop_assert_eq!(Answer::parse(&back.to_line()), Ok(back));
@@ -159,7 +161,7 @@ proptest! {
         let line = Answer::answered("x", vec![values(from_ref(&value), from_ref(&value))]).to_line();
         prop_assert!(line.contains("\"numbers\":\"exact\""));
         let value = Number::Finite(value);
-        prop_assert_eq!(&Answer::parse(&line).unwrap().steps[0], &values(from_ref(&value), from_ref(&value)));
+        prop_assert_eq!(&Answer::parse(&line).expect("a sound answer").steps[0], &values(from_ref(&value), from_ref(&value)));
     }
 }
 

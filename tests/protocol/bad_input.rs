@@ -117,7 +117,7 @@ fn unknown_and_duplicate_keys() {
         refusal(&rules)
     );
     let mut missing = walk();
-    missing.as_object_mut().unwrap().remove("timing");
+    missing.as_object_mut().expect("an object").remove("timing");
     assert!(refusal(&missing.to_string()).contains("missing field `timing`"));
 }
 
@@ -214,7 +214,8 @@ fn an_indefinite_covariance_comes_with_a_short_vector() {
         let value = form(&matrix, &vector);
         assert!(value < ratio(0, 1), "{message}");
         // The printed value is right to its three digits.
-        let printed = decimal(message.split("vᵀPv = ").nth(1).unwrap().split(' ').next().unwrap());
+        let printed =
+            decimal(message.split("vᵀPv = ").nth(1).expect("it is printed").split(' ').next().expect("at least one"));
         let error = (&printed - &value) / &value;
         assert!(&error * &error <= ratio(1, 10_000), "{message}");
         assert!(message.len() < 200, "{message}");
@@ -239,8 +240,10 @@ fn the_override_lets_an_indefinite_start_pass() {
     // Not beside a diffuse part, whose limit needs a semidefinite covariance.
     assert!(refusal(&sample.to_string()).contains("has a diffuse part"));
     let mut sample = sample;
-    sample["initial"].as_object_mut().unwrap().remove("diffuse");
-    assert!(Case::parse(&sample.to_string()).unwrap().problem().unwrap().realised().is_ok());
+    sample["initial"].as_object_mut().expect("an object").remove("diffuse");
+    assert!(
+        Case::parse(&sample.to_string()).expect("a sound case").problem().expect("a sound case").realised().is_ok()
+    );
 }
 
 #[test]
@@ -248,7 +251,7 @@ fn short_witnesses_prove_what_long_ones_prove() {
     let mut state = 12345_u64;
     let mut random = || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ratio(i64::try_from(state >> 40).unwrap() - (1 << 23), 1 << 20)
+        ratio(i64::try_from(state >> 40).expect("small") - (1 << 23), 1 << 20)
     };
     let mut found = 0;
     for _ in 0..200 {
@@ -269,7 +272,7 @@ fn short_witnesses_prove_what_long_ones_prove() {
 #[test]
 fn model_errors_are_values() {
     let sample = with(full(), "/initial/covariance", json!([["80", "500"], ["500", "80"]]));
-    let problem = Case::parse(&sample.to_string()).unwrap().problem().unwrap();
+    let problem = Case::parse(&sample.to_string()).expect("a sound case").problem().expect("a sound case");
     let Err(CaseError::Model(error)) = problem.realised() else { panic!("indefinite") };
     assert!(matches!(*error, ModelError::Indefinite { .. }));
 }

@@ -80,7 +80,7 @@ proptest! {
         let pretty = case.to_pretty();
         prop_assert_eq!(Case::parse(&pretty), Ok(case));
         // Pretty printing adds nothing but white space: another reader sees the same value.
-        let values = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+        let values = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
         prop_assert_eq!(values(&pretty), values(&line));
     }
 
@@ -94,7 +94,7 @@ proptest! {
 
 #[test]
 fn fields_stand_in_the_order_of_the_format() {
-    let line = Case::parse(&full().to_string()).unwrap().to_line();
+    let line = Case::parse(&full().to_string()).expect("a sound case").to_line();
     let keys = [
         "format",
         "id",
@@ -128,16 +128,16 @@ fn fields_stand_in_the_order_of_the_format() {
         rest = &rest[place + 1..];
     }
     // And nothing is lost.
-    assert_eq!(serde_json::from_str::<serde_json::Value>(&line).unwrap(), full());
+    assert_eq!(serde_json::from_str::<serde_json::Value>(&line).expect("JSON"), full());
 }
 
 #[test]
 fn a_case_means_its_numbers() {
-    let problem = Case::parse(&full().to_string()).unwrap().problem().unwrap();
+    let problem = Case::parse(&full().to_string()).expect("a sound case").problem().expect("a sound case");
     assert_eq!(problem.system.timing, Timing::Departing);
     assert_eq!(problem.system.initial.covariance[(0, 1)], ratio(1, 2));
     let Coefficient::PerStep(transitions) = &problem.system.transition else { panic!("one per step") };
-    assert_eq!(transitions[1].as_ref().unwrap()[(0, 1)], ratio(1, 2));
+    assert_eq!(transitions[1].as_ref().expect("present")[(0, 1)], ratio(1, 2));
     assert_eq!(transitions[2], None);
     let Noise::Covariances { cross: Some(Coefficient::Constant(cross)), .. } = &problem.system.noise else {
         panic!("covariances")
@@ -145,12 +145,15 @@ fn a_case_means_its_numbers() {
     assert_eq!(*cross, Matrix::column(vec![ratio(1, 2), ratio(0, 1)]));
     assert_eq!(problem.observations[1].entries(), [None]);
     assert_eq!(problem.observations[2].entries(), [Some(ratio(-350, 1))]);
-    assert_eq!(problem.realised().unwrap().steps()[0].transition.as_ref().unwrap().input[(1, 0)], ratio(6, 1));
+    assert_eq!(
+        problem.realised().expect("a sound system").steps()[0].transition.as_ref().expect("present").input[(1, 0)],
+        ratio(6, 1)
+    );
 }
 
 #[test]
 fn optional_fields_have_their_defaults() {
-    let case = Case::parse(&walk().to_string()).unwrap();
+    let case = Case::parse(&walk().to_string()).expect("a sound case");
     assert_eq!((case.numbers, case.expect), (Numbers::Binary64, Expect::Estimate));
     assert_eq!((case.about.as_str(), case.flags.len(), case.rules), ("", 0, BTreeMap::new()));
 }
@@ -158,8 +161,8 @@ fn optional_fields_have_their_defaults() {
 #[test]
 fn readings_that_are_all_missing_have_the_rows_of_the_observation_matrix() {
     let sample = with(walk(), "/observations", serde_json::json!([null, null]));
-    let problem = Case::parse(&sample.to_string()).unwrap().problem().unwrap();
-    assert_eq!(problem.realised().unwrap().sensors(), 1);
+    let problem = Case::parse(&sample.to_string()).expect("a sound case").problem().expect("a sound case");
+    assert_eq!(problem.realised().expect("a sound system").sensors(), 1);
 }
 
 #[test]
@@ -170,26 +173,26 @@ fn the_three_meanings_of_a_literal() {
         ("exact", ratio(1, 10)),
     ] {
         let sample = with(with(walk(), "/numbers", numbers.into()), "/initial/mean/0", "0.1".into());
-        let problem = Case::parse(&sample.to_string()).unwrap().problem().unwrap();
+        let problem = Case::parse(&sample.to_string()).expect("a sound case").problem().expect("a sound case");
         assert_eq!(problem.system.initial.mean[(0, 0)], tenth);
     }
 }
 
 #[test]
 fn builders_write_the_shortest_text() {
-    let matrix = Matrix::from_rows(vec![vec![0.1, -2.0]]).unwrap();
-    let text = |value: &Matrices| serde_json::to_string(value).unwrap();
+    let matrix = Matrix::from_rows(vec![vec![0.1, -2.0]]).expect("rows of one length");
+    let text = |value: &Matrices| serde_json::to_string(value).expect("JSON");
     assert_eq!(text(&Matrices::constant(&matrix)), r#"[["0.1","-2"]]"#);
     assert_eq!(text(&Matrices::per_step([Some(&matrix), None])), r#"[[["0.1","-2"]],null]"#);
     assert_eq!(text(&Matrices::exact(&Matrix::column(vec![ratio(1, 3)]))), r#"[["1/3"]]"#);
-    let vector = serde_json::to_string(&Vectors::per_step([Some(&[1e300][..]), None])).unwrap();
+    let vector = serde_json::to_string(&Vectors::per_step([Some(&[1e300][..]), None])).expect("JSON");
     assert_eq!(vector, r#"[["1e300"],null]"#);
-    assert_eq!(serde_json::to_string(&Vectors::constant(&[0.5])).unwrap(), r#"["0.5"]"#);
+    assert_eq!(serde_json::to_string(&Vectors::constant(&[0.5])).expect("JSON"), r#"["0.5"]"#);
 }
 
 #[test]
 fn a_pretty_case_keeps_rows_on_one_line() {
-    let pretty = Case::parse(&full().to_string()).unwrap().to_pretty();
+    let pretty = Case::parse(&full().to_string()).expect("a sound case").to_pretty();
     assert!(pretty.contains("\n  \"observation\": [[\"1\", \"0\"]],\n"), "{pretty}");
     assert!(pretty.ends_with("}\n"));
 }

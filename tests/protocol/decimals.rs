@@ -99,7 +99,7 @@ proptest! {
         let absolute = |x: Rational| if x < ratio(0, 1) { -x } else { x };
         let error = absolute(decimal.value() - &value) / absolute(value);
         // A unit in the last of `digits` places is at most 10^(1−digits) of the value.
-        prop_assert!(error * ratio(2, 1) <= Rational::from(BigInt::from(10)).pow(1 - i32::try_from(digits).unwrap()));
+        prop_assert!(error * ratio(2, 1) <= Rational::from(BigInt::from(10)).pow(1 - i32::try_from(digits).expect("small")));
     }
 
     #[test]
@@ -108,6 +108,6 @@ proptest! {
         // The standard library's reader of decimals, and one rounding of the exact value.
         let text = decimal.to_string();
         let expected = exact_kalman::scalar::nearest_double(&decimal.value());
-        prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), expected.to_bits(), "{}", text);
+        prop_assert_eq!(text.parse::<f64>().expect("a number").to_bits(), expected.to_bits(), "{}", text);
     }
 }

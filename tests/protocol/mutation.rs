@@ -42,7 +42,7 @@ proptest! {
     fn a_mutated_case_never_panics(changes in changes()) {
         let bytes = mutated(full().to_string().into_bytes(), &changes);
         if let Ok(case) = Case::parse(&String::from_utf8_lossy(&bytes)) {
-            prop_assert_eq!(Case::parse(&case.to_line()).unwrap(), case.clone());
+            prop_assert_eq!(Case::parse(&case.to_line()).expect("a sound case"), case.clone());
             if let Ok(problem) = case.problem() {
                 let _any = problem.realised().map_err(|error| error.to_string());
             }
@@ -53,12 +53,12 @@ proptest! {
     fn a_mutated_answer_never_panics(changes in changes()) {
         let bytes = mutated(ANSWER.as_bytes().to_vec(), &changes);
         if let Ok(answer) = Answer::parse(&String::from_utf8_lossy(&bytes)) {
-            prop_assert_eq!(Answer::parse(&answer.to_line()).unwrap(), answer);
+            prop_assert_eq!(Answer::parse(&answer.to_line()).expect("a sound answer"), answer);
         }
     }
 }
 
 #[test]
 fn the_unmutated_answer_is_read() {
-    assert_eq!(Answer::parse(ANSWER).unwrap().steps.len(), 1);
+    assert_eq!(Answer::parse(ANSWER).expect("a sound answer").steps.len(), 1);
 }

@@ -68,8 +68,8 @@ proptest! {
     fn every_double_survives_as_text(value in any_finite()) {
         let text = shortest_double(value);
         prop_assert_eq!(text.parse::<f64>().map(f64::to_bits), Ok(value.to_bits()));
-        prop_assert_eq!(Numbers::Binary64.read(&text), Ok(Number::Finite(exact_value(value).unwrap())));
-        prop_assert_eq!(Numbers::Binary64.write(&exact_value(value).unwrap()).parse::<f64>(), Ok(value));
+        prop_assert_eq!(Numbers::Binary64.read(&text), Ok(Number::Finite(exact_value(value).expect("finite"))));
+        prop_assert_eq!(Numbers::Binary64.write(&exact_value(value).expect("finite")).parse::<f64>(), Ok(value));
         prop_assert!(text.len() <= 25, "{}", text);
     }
 
@@ -77,7 +77,7 @@ proptest! {
     fn every_single_survives_as_text(bits in any::<u32>()) {
         let value = f32::from_bits(bits);
         prop_assume!(value.is_finite());
-        let exact = exact_value(f64::from(value)).unwrap();
+        let exact = exact_value(f64::from(value)).expect("finite");
         prop_assert_eq!(nearest_single(&exact).abs().to_bits(), value.abs().to_bits());
         prop_assert_eq!(Numbers::Binary32.read(&Numbers::Binary32.write(&exact)), Ok(Number::Finite(exact)));
     }
@@ -94,24 +94,24 @@ proptest! {
         let digits = (value.numer() * BigInt::from(10).pow(200)) / value.denom();
         let text = format!("{digits}e-200");
         let exact = Rational::new(digits, BigInt::from(10).pow(200));
-        prop_assert_eq!(nearest_single(&exact).abs().to_bits(), text.parse::<f32>().unwrap().abs().to_bits());
+        prop_assert_eq!(nearest_single(&exact).abs().to_bits(), text.parse::<f32>().expect("a number").abs().to_bits());
     }
 
     #[test]
     fn hexadecimal_literals_mean_their_bits(value in any_finite()) {
         let (bits, sign) = (value.to_bits(), if value.is_sign_negative() { "-" } else { "" });
-        let field = i64::try_from(bits >> 52 & 0x7ff).unwrap();
+        let field = i64::try_from(bits >> 52 & 0x7ff).expect("small");
         let (lead, exponent) = if field == 0 { (0, -1022) } else { (1, field - 1023) };
         let text = format!("{sign}0x{lead}.{:013x}p{exponent}", bits & ((1 << 52) - 1));
-        prop_assert_eq!(Numbers::Binary64.read(&text), Ok(Number::Finite(exact_value(value).unwrap())));
+        prop_assert_eq!(Numbers::Binary64.read(&text), Ok(Number::Finite(exact_value(value).expect("finite"))));
     }
 
     #[test]
     fn hexadecimal_digits_beyond_the_precision_round_once(m in any::<u128>(), e in -1250_i64..1000) {
-        let exact = dyadic(1, i32::try_from(e).unwrap()) * Rational::from(BigInt::from(m));
+        let exact = dyadic(1, i32::try_from(e).expect("small")) * Rational::from(BigInt::from(m));
         let expected = nearest_by_search(&exact);
-        let read = Numbers::Binary64.read(&format!("0x{m:X}P{e:+}")).unwrap();
-        let expected = if expected.is_infinite() { Number::Infinite { negative: false } } else { Number::Finite(exact_value(expected).unwrap()) };
+        let read = Numbers::Binary64.read(&format!("0x{m:X}P{e:+}")).expect("a number");
+        let expected = if expected.is_infinite() { Number::Infinite { negative: false } } else { Number::Finite(exact_value(expected).expect("finite")) };
         prop_assert_eq!(read, expected);
     }
 

@@ -28,16 +28,16 @@ fn block(kind: &str) -> &'static str {
 #[test]
 fn the_example_agrees_with_the_schemas() {
     for (kind, schema) in [("case", CASE), ("answer", ANSWER), ("subject", SUBJECT)] {
-        let schema: Value = serde_json::from_str(schema).unwrap();
-        assert!(valid(&schema, &schema, &serde_json::from_str(example(kind)).unwrap()), "{kind}");
+        let schema: Value = serde_json::from_str(schema).expect("JSON");
+        assert!(valid(&schema, &schema, &serde_json::from_str(example(kind)).expect("JSON")), "{kind}");
     }
 }
 
 #[test]
 fn the_answer_is_the_one_worked_by_hand() {
-    let case = Case::parse(example("case")).unwrap();
-    let path = case.problem().unwrap().realised().unwrap();
-    let answer = Answer::parse(example("answer")).unwrap();
+    let case = Case::parse(example("case")).expect("a sound case");
+    let path = case.problem().expect("a sound case").realised().expect("a sound system");
+    let answer = Answer::parse(example("answer")).expect("a sound answer");
     assert_eq!((&answer.id, answer.outcome), (&case.id, Outcome::Answered));
     // The scalar recursion in exact fractions, written out.
     let (mut mean, mut variance) = (ratio(0, 1), ratio(1, 1));
@@ -47,7 +47,7 @@ fn the_answer_is_the_one_worked_by_hand() {
         }
         let spread = &variance + ratio(1, 1);
         let gain = &variance / &spread;
-        let innovation = step.reading.entries()[0].as_ref().unwrap() - &mean;
+        let innovation = step.reading.entries()[0].as_ref().expect("present") - &mean;
         let filtered = (&mean + &gain * &innovation, &variance - &gain * &variance);
         for (quantity, exact) in [
             (Quantity::PredictedMean, &mean),
@@ -59,8 +59,8 @@ fn the_answer_is_the_one_worked_by_hand() {
             (Quantity::FilteredCovariance, &filtered.1),
         ] {
             // The small fractions of the example are quotients of small integers: one correctly rounded division.
-            let small = |n: &num_bigint::BigInt| n.to_string().parse::<f64>().unwrap();
-            let double = exact_value(small(exact.numer()) / small(exact.denom())).unwrap();
+            let small = |n: &num_bigint::BigInt| n.to_string().parse::<f64>().expect("a number");
+            let double = exact_value(small(exact.numer()) / small(exact.denom())).expect("finite");
             assert_eq!(values[&quantity][(0, 0)], Number::Finite(double), "{quantity} at step {k}");
         }
         (mean, variance) = filtered;

@@ -78,10 +78,21 @@ fn cases() {
     agree_on_case(&with(walk(), "/noise", factors), true);
     // Every key, left out or of another type.
     for pointer in ["", "/initial", "/noise", "/input", "/observation_input"] {
-        let keys: Vec<String> = full().pointer(pointer).unwrap().as_object().unwrap().keys().cloned().collect();
+        let keys: Vec<String> = full()
+            .pointer(pointer)
+            .expect("a place in the document")
+            .as_object()
+            .expect("an object")
+            .keys()
+            .cloned()
+            .collect();
         for key in keys {
             let mut less = full();
-            less.pointer_mut(pointer).unwrap().as_object_mut().unwrap().remove(&key);
+            less.pointer_mut(pointer)
+                .expect("a place in the document")
+                .as_object_mut()
+                .expect("an object")
+                .remove(&key);
             agree_on_case(&less, check(CASE, &less));
             for other in [json!(null), json!(1), json!(true), json!({"a": 1}), json!([[[["1"]]]]), json!("?")] {
                 let changed = with(full(), &format!("{pointer}/{key}"), other);
@@ -123,7 +134,7 @@ fn answers() {
     agree_on_answer(&answer, true);
     for key in ["id", "outcome", "numbers", "step", "message", "steps"] {
         let mut less = answer.clone();
-        less.as_object_mut().unwrap().remove(key);
+        less.as_object_mut().expect("an object").remove(key);
         agree_on_answer(&less, check(ANSWER, &less));
         for other in [json!(null), json!(-1), json!(true), json!({}), json!([1]), json!("?")] {
             let changed = with(answer.clone(), &format!("/{key}"), other);

@@ -27,11 +27,11 @@ fn shared(timing: &str, before: &str) -> Value {
 
 /// The last filtered mean and variance of a scalar case.
 fn last(subject: &mut Subject, case: &Value) -> (f64, f64) {
-    let case = Case::parse(&case.to_string()).unwrap();
+    let case = Case::parse(&case.to_string()).expect("a sound case");
     let reply = subject.ask(&case.id, &case.to_line());
     let Reply::Answer(answer) = reply else { panic!("{reply}") };
     assert_eq!(answer.outcome, Outcome::Answered, "{:?}", answer.message);
-    let values = answer.steps.last().unwrap();
+    let values = answer.steps.last().expect("at least one");
     let double = |quantity| match &values[&quantity][(0, 0)] {
         Number::Finite(value) => nearest_double(value),
         other => panic!("{other:?}"),
@@ -72,7 +72,7 @@ fn shared_noise_in_both_timings() {
 fn what_it_cannot_do_it_says() {
     let Some(mut subject) = textbook() else { return };
     let mut outcome = |case: &Value| {
-        let case = Case::parse(&case.to_string()).unwrap();
+        let case = Case::parse(&case.to_string()).expect("a sound case");
         match subject.ask(&case.id, &case.to_line()) {
             Reply::Answer(answer) => (answer.outcome, answer.step, answer.steps.len()),
             reply => panic!("{reply}"),

@@ -197,7 +197,8 @@ fn doubles_follow_the_exact_copy() {
             for (k, (step, exact)) in found.steps.iter().zip(&exact).enumerate() {
                 let found = [step.predicted.mean[(0, 0)], step.predicted.covariance[(0, 0)]];
                 for (which, (found, exact)) in found.into_iter().zip(exact).enumerate() {
-                    let attainable = near.iter().map(|near| distance(&near[k][which], exact)).max().unwrap();
+                    let attainable =
+                        near.iter().map(|near| distance(&near[k][which], exact)).max().expect("at least one");
                     let error = distance(&exact_value(found).expect("finite"), exact);
                     assert!(error <= attainable * ratio(100, 1), "{linearisation:?}, step {k}: {found} for {exact}");
                 }

@@ -57,7 +57,7 @@ proptest! {
             let substrates: Vec<_> = earlier.iter().map(|(x, _)| x).chain(&y).collect();
             let seen: Vec<_> = earlier.iter().map(|(_, read)| read).chain(&y).collect();
             let x = substrates[k];
-            let power = num_traits::pow(x.clone(), usize::try_from(beta).unwrap());
+            let power = num_traits::pow(x.clone(), usize::try_from(beta).expect("small"));
             let growth = ratio(1, 2) * x / (ratio(125, 1) + power);
             let dilution = ratio(1, 20) / (seen[k] + ratio(1, 1));
             let transition = step.transition.as_ref().expect("one leaves every step");
@@ -65,7 +65,7 @@ proptest! {
                 vec![ratio(1, 1) + &growth - &dilution, ratio(0, 1)],
                 vec![-growth, ratio(1, 1) - &dilution],
             ];
-            prop_assert_eq!(&transition.matrix, &Matrix::from_rows(rows).unwrap());
+            prop_assert_eq!(&transition.matrix, &Matrix::from_rows(rows).expect("rows of one length"));
             prop_assert_eq!(&transition.input, &Matrix::column(vec![ratio(0, 1), ratio(50, 1) * dilution]));
             // D Dᵀ of [[3, 1], [1, 1]]/10.
             prop_assert_eq!(&transition.noise, &Matrix::from_integers(&[[10, 4], [4, 2]]).scaled(&ratio(1, 100)));
@@ -81,7 +81,7 @@ proptest! {
 #[test]
 fn a_course_by_its_equations() {
     let setting = Setting::printed(Exponent::Natural(1), 1);
-    let states = setting.simulated(&[[ratio(1, 1), ratio(-2, 1)], [ratio(1, 2), ratio(3, 1)]]).unwrap();
+    let states = setting.simulated(&[[ratio(1, 1), ratio(-2, 1)], [ratio(1, 2), ratio(3, 1)]]).expect("rates");
     assert_eq!(states[0], [ratio(25, 1), ratio(30, 1)]);
     let mut before = ratio(30, 1);
     for (k, [first, second]) in [[ratio(1, 1), ratio(-2, 1)], [ratio(1, 2), ratio(3, 1)]].iter().enumerate() {
@@ -99,7 +99,7 @@ fn a_course_by_its_equations() {
 /// to 5/42.
 #[test]
 fn the_growth_rate_is_linear_where_the_paper_calls_it_least_linear() {
-    let rate = |exponent, x: i64| Reactor::printed(exponent).growth_rate(&ratio(x, 1)).unwrap();
+    let rate = |exponent, x: i64| Reactor::printed(exponent).growth_rate(&ratio(x, 1)).expect("a rate");
     assert_eq!(NATURAL.map(|exponent| rate(exponent, 30)), [ratio(3, 205), ratio(3, 31), ratio(5, 42)]);
     for x in 0..60 {
         assert_eq!(rate(Exponent::Natural(0), x), ratio(x, 252));
@@ -116,15 +116,19 @@ fn a_real_exponent_gives_a_double() {
         let substrate = if beta > 1.0 { 30 } else { root * root };
         // x^β is the integer `root`, so the law is α x/(γ + root).
         let exact = ratio(substrate, 2) / ratio(125 + root, 1);
-        let found = reactor.growth_rate(&ratio(substrate, 1)).unwrap();
+        let found = reactor.growth_rate(&ratio(substrate, 1)).expect("a rate");
         assert_eq!(exact_value(found.double()), Some(found.clone()), "a dyadic number");
         // Every operation is rounded once, and the power to within one unit in its last place, which is at most a 2⁻⁵²
         // of γ + x^β too: four steps.
         let error = (found - &exact) / exact;
         assert!(error < ratio(1, 1 << 50) && -error < ratio(1, 1 << 50));
     }
-    let real = Reactor::printed(Exponent::Real(0.5)).growth_rate(&ratio(7, 1)).unwrap();
-    assert_eq!(real, exact_value(Reactor::printed(Exponent::Real(0.5)).doubles().growth_rate(&7.0).unwrap()).unwrap());
+    let real = Reactor::printed(Exponent::Real(0.5)).growth_rate(&ratio(7, 1)).expect("a rate");
+    assert_eq!(
+        real,
+        exact_value(Reactor::printed(Exponent::Real(0.5)).doubles().growth_rate(&7.0).expect("a rate"))
+            .expect("finite")
+    );
 }
 
 /// HV-mu, HV-u: where the laws have no value the error says so, with the step.
@@ -170,7 +174,7 @@ fn two_steps_of_delay_need_one_more_value() {
     setting.earlier[0] = named;
     let y = [31, 29].map(|y| ratio(y, 1));
     let seen = |k: usize| {
-        let rates = setting.coefficients(k, |j| y.get(j).cloned()).unwrap().expect("all readings are there");
+        let rates = setting.coefficients(k, |j| y.get(j).cloned()).expect("rates").expect("all readings are there");
         [rates.growth, rates.dilution]
     };
     let laws =
@@ -194,7 +198,8 @@ fn coefficients_in_doubles() {
         let found = path_in_doubles(&setting.doubles(), &start.doubles(), &doubles).expect("a valid system");
         assert_eq!(found.steps().len(), exact.steps().len());
         for (found, exact) in found.steps().iter().zip(exact.steps()) {
-            let (found, exact) = (found.transition.as_ref().unwrap(), exact.transition.as_ref().unwrap());
+            let (found, exact) =
+                (found.transition.as_ref().expect("present"), exact.transition.as_ref().expect("present"));
             for (found, exact) in [
                 (&found.matrix, &exact.matrix),
                 (&found.input, &exact.input),
@@ -204,7 +209,7 @@ fn coefficients_in_doubles() {
                 for (found, exact) in found.entries().iter().zip(exact.entries()) {
                     // At most ten roundings of positive numbers, each at most 2⁻⁵³ of a value of at most 3; 1 + μ − u is
                     // the only difference, and it is near one.
-                    let error = exact_value(*found).unwrap() - exact;
+                    let error = exact_value(*found).expect("finite") - exact;
                     assert!(error < ratio(1, 1 << 48) && -error < ratio(1, 1 << 48), "{found} for {exact}");
                 }
             }

@@ -30,7 +30,7 @@ fn by_scalars(setting: &Setting<Rational>, start: &Belief<Rational>, y: &[Ration
         let left = &variance[0] - &gain * &shared;
         let old = k.checked_sub(setting.earlier.len()).map_or_else(|| ratio(30, 1), |j| y[j].clone());
         let Exponent::Natural(beta) = setting.reactor.exponent else { panic!("a rational law") };
-        let power = num_traits::pow(old.clone(), usize::try_from(beta).unwrap());
+        let power = num_traits::pow(old.clone(), usize::try_from(beta).expect("small"));
         let c = &old / ratio(2, 1) / (ratio(125, 1) + power);
         let u = ratio(1, 20) / (&old + ratio(1, 1));
         let a = ratio(1, 1) + &c - &u;
@@ -183,7 +183,7 @@ fn doubles_keep_the_attainable_digits() {
                     let difference = other - exact;
                     if difference < ratio(0, 1) { -difference } else { difference }
                 };
-                let attainable = near.iter().map(|near| distance(&near[k])).max().unwrap();
+                let attainable = near.iter().map(|near| distance(&near[k])).max().expect("at least one");
                 let error = distance(&exact_value(found[k][(0, 0)]).expect("finite"));
                 assert!(error <= attainable * ratio(100, 1), "{preset}, {ahead} ahead, step {k}: {}", found[k][(0, 0)]);
             }

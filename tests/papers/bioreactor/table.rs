@@ -20,8 +20,8 @@ fn printed_efficiencies_fit_the_printed_errors() {
     for row in PRINTED {
         let [standard, extended] = [hundredths(row.standard), hundredths(row.extended)];
         // Δ grows with the extended error and falls with the standard one.
-        let least = relative_efficiency(&(&standard + &half), &(&extended - &half)).unwrap();
-        let greatest = relative_efficiency(&(standard - &half), &(extended + &half)).unwrap();
+        let least = relative_efficiency(&(&standard + &half), &(&extended - &half)).expect("not zero");
+        let greatest = relative_efficiency(&(standard - &half), &(extended + &half)).expect("not zero");
         let printed = hundredths(row.efficiency);
         assert!(least <= &printed + &half && &printed - &half <= greatest, "β = {}", row.exponent);
     }
@@ -55,7 +55,7 @@ fn the_printed_standard_errors_are_too_small() {
             let terms = two_terms(exponent, &substrate, &reading);
             // The general form of e(2), with the laws written out: μ ≥ 0 and u ≤ 1/20 give the bound.
             let setting = Setting::printed(exponent, 1);
-            let growth = setting.reactor.growth_rate(&substrate).unwrap();
+            let growth = setting.reactor.growth_rate(&substrate).expect("a rate");
             let dilution = ratio(1, 20) / (&reading + ratio(1, 1));
             assert!(growth >= ratio(0, 1) && dilution <= ratio(1, 20));
             let e2 = ratio(435, 4) * (ratio(1, 1) + growth - dilution);

@@ -12,7 +12,7 @@ use super::{Q, expectation, integers, law, number, realised, system};
 fn moments(m: &Rational, v: &Rational) -> Vec<Rational> {
     let mut moments = vec![ratio(1, 1), m.clone()];
     for n in 2..=8 {
-        let next = m * &moments[n - 1] + ratio(i64::try_from(n).unwrap() - 1, 1) * v * &moments[n - 2];
+        let next = m * &moments[n - 1] + ratio(i64::try_from(n).expect("small") - 1, 1) * v * &moments[n - 2];
         moments.push(next);
     }
     moments
@@ -123,7 +123,7 @@ fn uncorrelated_parts_are_independent() {
         let found = products(n, m);
         assert_eq!(found[0], &found[1] * &found[2], "E X^{n} Y^{m}");
     }
-    let given = |y: i64| pair.conditioned(&[1], &integers(&[[y]])).unwrap().law;
+    let given = |y: i64| pair.conditioned(&[1], &integers(&[[y]])).expect("data that are possible").law;
     assert_eq!(given(-3), given(7));
     let related = Gaussian::standard(2).affine(&integers(&[[1, 1], [1, 0]]), &Matrix::zeros(2, 1));
     assert!(!related.are_independent(&[0], &[1]));
@@ -164,7 +164,7 @@ fn conditioning_gives_the_law() {
 #[test]
 fn conditioning_needs_a_covariance() {
     let none = law(&Matrix::zeros(2, 1), &integers(&[[0, 1], [1, 0]]));
-    let given = none.conditioned(&[1], &integers(&[[0]])).unwrap();
+    let given = none.conditioned(&[1], &integers(&[[0]])).expect("data that are possible");
     assert_eq!((given.law.covariance(), &given.gain), (&integers(&[[0]]), &integers(&[[0]])));
     // What is left uncorrelated with Y where the lemma holds, P_xy(I − P_yy⁺P_yy) = 0, is 1 here.
     let rest = &given.cross_covariance * (Matrix::identity(1) - &given.pseudo_inverse * &given.innovation_covariance);
@@ -179,28 +179,31 @@ fn conditioning_needs_a_covariance() {
 fn any_full_rank_factorisation_will_do() {
     let formula = |u: &Q, v: &Q| {
         let (ut, vt) = (u.transpose(), v.transpose());
-        &vt * (v * &vt).inverse().unwrap() * (&ut * u).inverse().unwrap() * ut
+        &vt * (v * &vt).inverse().expect("regular") * (&ut * u).inverse().expect("regular") * ut
     };
     for p in [integers(&[[1, 2, 3], [2, 4, 6], [3, 6, 10]]), integers(&[[2, 1, 0], [1, 2, 0], [0, 0, 0]])] {
-        let FullRank { left, right } = p.full_rank_factorisation().unwrap();
+        let FullRank { left, right } = p.full_rank_factorisation().expect("fractions decide");
         assert_eq!((left.columns(), &left * &right), (2, p.clone()));
         let m = integers(&[[2, 1], [7, 3]]);
         let inverse = formula(&left, &right);
-        assert_eq!(formula(&(&left * &m), &(m.inverse().unwrap() * right)), inverse);
-        assert_eq!(p.pseudo_inverse().unwrap(), inverse);
+        assert_eq!(formula(&(&left * &m), &(m.inverse().expect("regular") * right)), inverse);
+        assert_eq!(p.pseudo_inverse().expect("there is one over the fractions"), inverse);
         // The equations of Penrose, of which no other matrix solves all four.
         let (one, other) = (&p * &inverse, &inverse * &p);
         assert_eq!((&one * &p, &other * &inverse), (p, inverse));
         assert_eq!((one.transpose(), other.transpose()), (one, other));
     }
     let zero: Q = Matrix::zeros(2, 2);
-    let FullRank { left, right } = zero.full_rank_factorisation().unwrap();
+    let FullRank { left, right } = zero.full_rank_factorisation().expect("fractions decide");
     assert_eq!((left.columns(), right.rows()), (0, 0));
-    assert_eq!((formula(&left, &right), zero.pseudo_inverse().unwrap()), (zero.clone(), zero));
+    assert_eq!(
+        (formula(&left, &right), zero.pseudo_inverse().expect("there is one over the fractions")),
+        (zero.clone(), zero)
+    );
     let blind =
         system(Matrix::identity(1), integers(&[[3]]), Matrix::zeros(1, 1), integers(&[[1]]), Matrix::zeros(1, 1));
     let path = realised(&blind, &[number(ratio(0, 1))], 1);
-    let record = &filter(path.path()).unwrap().records[0];
+    let record = &filter(path.path()).expect("consistent data").records[0];
     assert_eq!((&record.innovation_covariance, &record.gain), (&integers(&[[0]]), &integers(&[[0]])));
     assert!(ratio(1, 1).over(&record.innovation_covariance[(0, 0)]).is_err());
 }

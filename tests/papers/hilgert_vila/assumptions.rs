@@ -159,8 +159,8 @@ fn coefficients_need_no_moments() {
     wild.transition = Coefficient::adapted(reciprocal);
     let readings = [integers(&[[1], [2]]), integers(&[[-3], [5]]), integers(&[[2], [-1]])];
     let path = realised(&wild, &readings, 2);
-    let trace = predict_ahead(&path).unwrap();
-    let laws = exact_kalman::filter::one_shot_ahead(&path).unwrap();
+    let trace = predict_ahead(&path).expect("consistent data");
+    let laws = exact_kalman::filter::one_shot_ahead(&path).expect("consistent data");
     for (step, laws) in trace.steps.iter().zip(&laws[1..]) {
         let moments = step.ahead.iter().map(|law| (&law.mean, &law.covariance));
         assert!(moments.eq(laws.iter().map(|law| (law.mean(), law.covariance()))));

@@ -26,7 +26,7 @@ impl Sources {
         let mut state = (Matrix::from_fn(2, 11, |i, j| ratio(i64::from(i == j), 1)), Matrix::zeros(2, 1));
         let (mut states, mut readings) = (Vec::new(), Vec::new());
         for k in 1..=3 {
-            let At { a, b_u, d, c, g_v, f } = at(i64::try_from(k).unwrap());
+            let At { a, b_u, d, c, g_v, f } = at(i64::try_from(k).expect("small"));
             states.push(state.clone());
             readings.push((&c * &state.0 + f * noise(k), c * &state.1 + g_v));
             state = (&a * state.0 + d * noise(k), a * state.1 + b_u);
@@ -51,7 +51,7 @@ impl Sources {
 #[test]
 fn every_line_of_the_proof() {
     let trace = predicted(&varying(3, 3), &data(), 3);
-    let laws = one_shot_ahead(&realised(&varying(3, 3), &data(), 3)).unwrap();
+    let laws = one_shot_ahead(&realised(&varying(3, 3), &data(), 3)).expect("consistent data");
     let (mut mean, mut p) = (integers(&MEAN), integers(&COVARIANCE));
     for (k, ((step, known), y)) in (1..).zip(trace.steps.iter().zip(&laws).zip(data())) {
         let At { a, b_u, d, c, g_v, f } = at(k);
@@ -68,7 +68,7 @@ fn every_line_of_the_proof() {
         assert_eq!(stacked.covariance(), &p_a.beside(&p_c).above(&p_c.transpose().beside(&p_b)));
         assert_eq!((known[1].covariance(), &step.record.innovation_covariance), (&p_a, &p_b));
         // S is regular here, so its inverse is all that is needed.
-        let gain = &p_c * p_b.inverse().unwrap();
+        let gain = &p_c * p_b.inverse().expect("regular");
         let innovation = &y - &reading;
         assert_eq!(step.record.innovation, innovation);
         // (3) is the first line of the conditioning, (4) the second, and both forms of (4) in print are one.
@@ -76,7 +76,7 @@ fn every_line_of_the_proof() {
         let four = &p_a - &gain * (&c * &p * a.transpose() + &f * d.transpose());
         assert_eq!(four, p_a - &gain * p_c.transpose());
         p = four;
-        let given = stacked.conditioned(&[2, 3], &y).unwrap().law;
+        let given = stacked.conditioned(&[2, 3], &y).expect("data that are possible").law;
         assert_eq!((given.mean(), given.covariance()), (&mean, &p));
         assert_eq!((&step.ahead[0].mean, &step.ahead[0].covariance), (&mean, &p));
         // (6), (7)
@@ -108,7 +108,7 @@ fn noise_given_the_past() {
         let after = sources.given(&pair, k);
         assert!(!after.covariance().block(0..2, 2..5).is_zero());
         assert_ne!(after.marginal(&[2, 3, 4]), Gaussian::standard(3));
-        let At { a, d, .. } = at(i64::try_from(k).unwrap());
+        let At { a, d, .. } = at(i64::try_from(k).expect("small"));
         let step = &trace.steps[k - 1];
         let next = sources.given(&sources.states[k], k);
         assert_eq!(&step.ahead[0].covariance, next.covariance());
@@ -140,14 +140,14 @@ fn any_generalised_inverse_will_do() {
     let y = integers(&[[3], [3]]);
     let ahead = &predicted(&twins, std::slice::from_ref(&y), 1).steps[0].ahead[0];
     let s = c.congruence(&p) + &f * f.transpose();
-    let weight = ratio(1, 1).over(&s[(0, 0)]).unwrap();
+    let weight = ratio(1, 1).over(&s[(0, 0)]).expect("not zero");
     let cross = &a * &p * c.transpose() + &d * f.transpose();
     let inverses = [
         integers(&[[1, 1], [1, 1]]).scaled(&(&weight / ratio(4, 1))),
         integers(&[[1, 0], [0, 0]]).scaled(&weight),
         integers(&[[3, 0], [0, -2]]).scaled(&weight),
     ];
-    assert_eq!(s.pseudo_inverse().unwrap(), inverses[0]);
+    assert_eq!(s.pseudo_inverse().expect("there is one over the fractions"), inverses[0]);
     for (i, inverse) in inverses.iter().enumerate() {
         assert_eq!(&s * inverse * &s, s);
         let gain = &cross * inverse;
@@ -289,5 +289,5 @@ fn the_whole_factor_is_transposed() {
     assert_eq!(sum.scaled(&ratio(1, 8)), p_b);
     let system = system(integers(&[[4]]), Matrix::identity(1), c, Matrix::zeros(1, 2), f);
     let path = realised(&system, &[integers(&[[0], [0]])], 1);
-    assert_eq!(filter(path.path()).unwrap().records[0].innovation_covariance, p_b);
+    assert_eq!(filter(path.path()).expect("consistent data").records[0].innovation_covariance, p_b);
 }
