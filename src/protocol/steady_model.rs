@@ -70,6 +70,16 @@ pub enum SteadyEquation {
     },
 }
 
+impl SteadyEquation {
+    /// Which transition shares noise with which observation; nothing for control.
+    pub const fn timing(&self) -> Option<Timing> {
+        match self {
+            Self::Filter { timing, .. } => Some(*timing),
+            Self::Control { .. } => None,
+        }
+    }
+}
+
 const FORMAT: &str = "exact-kalman/steady/1";
 const CASE: &str = "exact-kalman/case/1";
 

@@ -38,7 +38,7 @@ pub enum ProvedSteady {
         bits: Option<u64>,
         /// r²: the closed loop has a spectral radius of r at most.
         rate_squared: Rational,
-        /// Whether the noise is positive semidefinite: then so is the solution, which no other exceeds.
+        /// Whether the noise, of the sensors that are used, is positive semidefinite: then so is the solution, which no other exceeds.
         is_covariance: bool,
     },
     /// There is none: so many modes are not observed, and one of them does not shrink.
@@ -77,16 +77,24 @@ pub fn check_steady(
 ) -> Result<ProvedSteady, Rejection> {
     let unified = Unified::of(step, timing, timing == Timing::Arriving)?;
     let all_read = step.reading.present().len() == step.reading.dimension();
-    let target = match timing {
-        Timing::Arriving => Some(&unified.filtered),
-        Timing::Departing => unified.ahead.as_ref(),
-    };
-    let Some(target) = target.filter(|_| all_read && step.transition.is_some()) else {
+    let Some(target) = target_of(&unified, timing).filter(|_| all_read && step.transition.is_some()) else {
         return Err(wrong(Condition::Case, "a whole step is needed, with a transition and nothing missing"));
     };
     check_size(unified.magnitude(), target.map.rows, unified.observation.rows)?;
     match evidence {
-        SteadyEvidence::Stabilising(stabilising) => check_stabilising(&unified, target, stabilising),
+        SteadyEvidence::Stabilising(stabilising) => match &stabilising.kept {
+            None => check_stabilising(&unified, target, stabilising),
+            Some(kept) => {
+                let all = unified.observation.rows;
+                if !kept.is_sorted_by(|a, b| a < b) || kept.iter().any(|place| *place >= all) {
+                    return Err(wrong(Condition::Kept, "`kept` is not in increasing order, or names no sensor"));
+                }
+                let less = unified.select(kept)?;
+                let target =
+                    target_of(&less, timing).ok_or_else(|| wrong(Condition::Case, "a transition is needed"))?;
+                check_stabilising(&less, target, stabilising)
+            }
+        },
         SteadyEvidence::Unobservable { basis, map } => check_unobservable(&unified, target, basis, map),
         SteadyEvidence::Unreachable { basis, injection, map, between } => {
             check_unreachable(&unified, target, [basis, injection, map], between.as_ref())
@@ -94,9 +102,17 @@ pub fn check_steady(
     }
 }
 
+/// Where a step leads that is repeated.
+fn target_of(law: &Unified, timing: Timing) -> Option<&Target> {
+    match timing {
+        Timing::Arriving => Some(&law.filtered),
+        Timing::Departing => law.ahead.as_ref(),
+    }
+}
+
 fn check_stabilising(law: &Unified, target: &Target, claim: &Stabilising) -> Result<ProvedSteady, Rejection> {
     let (n, m) = (target.map.rows, law.observation.rows);
-    let Stabilising { solution, gap, gain, whitening, shape, rate_squared, balance } = claim;
+    let Stabilising { solution, gap, gain, whitening, shape, rate_squared, balance, kept: _ } = claim;
     let symmetric = |name: &str, matrix: &DyadicMatrix| {
         Table::symmetric(matrix, n).ok_or_else(|| {
             wrong(Condition::Shape, format!("`{name}` is not the lower triangle of an n×n matrix with n = {n}"))

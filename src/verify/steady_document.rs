@@ -65,6 +65,8 @@ pub struct Stabilising {
     pub rate_squared: DyadicNumber,
     /// k of β = 2⁻ᵏ, where the closed loop is not known exactly.
     pub balance: Option<i64>,
+    /// The entries of the reading that are used, in increasing order; nothing if all are.
+    pub kept: Option<Vec<usize>>,
 }
 
 impl SteadyDocument {
@@ -115,16 +117,17 @@ enum SteadyFormat {
     One,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Verdict {
+    #[default]
     Stabilising,
     Unobservable,
     Unreachable,
 }
 
 /// The members of the document, of which each verdict has its own.
-#[derive(Clone, Serialize, Deserialize)]
+#[derive(Clone, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Members {
     certificate: SteadyFormat,
@@ -145,6 +148,8 @@ struct Members {
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     balance: Option<i64>,
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    kept: Option<Vec<usize>>,
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     basis: Option<RationalRows>,
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
     injection: Option<RationalRows>,
@@ -157,23 +162,6 @@ struct Members {
 
 impl Members {
     fn without_digest(document: SteadyDocument) -> Self {
-        let empty = |verdict| Self {
-            certificate: SteadyFormat::One,
-            model: Value::Null,
-            verdict,
-            solution: None,
-            gap: None,
-            gain: None,
-            whitening: None,
-            shape: None,
-            rate_squared: None,
-            balance: None,
-            basis: None,
-            injection: None,
-            map: None,
-            between: None,
-            sha256: String::new(),
-        };
         let members = match document.evidence {
             SteadyEvidence::Stabilising(Stabilising {
                 solution,
@@ -183,6 +171,7 @@ impl Members {
                 shape,
                 rate_squared,
                 balance,
+                kept,
             }) => Self {
                 solution: Some(solution),
                 gap: Some(gap),
@@ -191,17 +180,19 @@ impl Members {
                 shape: Some(shape),
                 rate_squared: Some(rate_squared),
                 balance,
-                ..empty(Verdict::Stabilising)
+                kept,
+                ..Self::default()
             },
             SteadyEvidence::Unobservable { basis, map } => {
-                Self { basis: Some(basis), map: Some(map), ..empty(Verdict::Unobservable) }
+                Self { verdict: Verdict::Unobservable, basis: Some(basis), map: Some(map), ..Self::default() }
             }
             SteadyEvidence::Unreachable { basis, injection, map, between } => Self {
+                verdict: Verdict::Unreachable,
                 basis: Some(basis),
                 injection: Some(injection),
                 map: Some(map),
                 between,
-                ..empty(Verdict::Unreachable)
+                ..Self::default()
             },
         };
         Self { model: document.model, ..members }
@@ -229,6 +220,7 @@ impl TryFrom<Members> for SteadyDocument {
                 shape: Some(shape),
                 rate_squared: Some(rate_squared),
                 balance,
+                kept,
                 basis: None,
                 injection: None,
                 map: None,
@@ -242,6 +234,7 @@ impl TryFrom<Members> for SteadyDocument {
                 shape,
                 rate_squared,
                 balance,
+                kept,
             }),
             Members {
                 verdict,
@@ -256,6 +249,7 @@ impl TryFrom<Members> for SteadyDocument {
                 shape: None,
                 rate_squared: None,
                 balance: None,
+                kept: None,
                 ..
             } => match (verdict, injection) {
                 (Verdict::Unobservable, None) if between.is_none() => SteadyEvidence::Unobservable { basis, map },
@@ -271,5 +265,5 @@ impl TryFrom<Members> for SteadyDocument {
 }
 
 const MEMBERS: &str = "the members do not fit the verdict: `stabilising` has `solution`, `gap`, `gain`, `whitening`, \
-    `shape`, `rate_squared` and perhaps `balance`; `unobservable` has `basis` and `map`; `unreachable` has `basis`, \
+    `shape`, `rate_squared` and perhaps `balance` and `kept`; `unobservable` has `basis` and `map`; `unreachable` has `basis`, \
     `injection`, `map` and perhaps `between`";

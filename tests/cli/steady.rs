@@ -61,6 +61,58 @@ fn certificates_are_written_where_something_is_proved() {
     }
 }
 
+fn model(transition: &Value, observation: &Value, process: &Value, noise: &Value) -> String {
+    json!({"format": "exact-kalman/steady/1", "id": "m", "timing": "departing", "transition": transition, "observation": observation,
+        "noise": {"process": process, "observation": noise}})
+    .to_string()
+}
+
+/// With A = H = R = 1 and Q = 10³⁰⁰ all but one part in 10³⁰⁰ of the variance goes: the filtered one is 1 − 10⁻³⁰⁰ and a little, and
+/// its digits count. What a reading without noise tells is exactly zero.
+#[test]
+fn digits_of_the_filtered_covariance_count() {
+    let huge = model(&json!([[1]]), &json!([[1]]), &json!([["1e300"]]), &json!([[1]]));
+    let out = feed(&["steady", "-"], &huge).quietly(0);
+    assert!(out.contains("filtered covariance      1\n"), "{out}");
+    let ran = feed(&["steady", "-", "--most-bits", "256"], &huge);
+    assert_eq!(ran.code, 3, "{}", ran.stdout);
+    assert!(ran.stdout.contains("Not told from zero: the filtered variance of state 0"), "{}", ran.stdout);
+    let told = model(&json!([[1, 1], [0, 1]]), &json!([[1, 0]]), &json!([[1, 0], [0, 1]]), &json!([[0]]));
+    let out = feed(&["steady", "-"], &told).quietly(0);
+    // By hand: with R = 0 the variance left is p = (1 + √5)/2 of the other state, p² = p + 1.
+    assert!(out.contains("filtered covariance      [[0, 0], [0, 1.6180339887498948]]"), "{out}");
+    assert!(!out.contains("Not told"), "{out}");
+}
+
+/// Numbers that lie far apart are given bits of that order before the search is given up: s = A² + Q and a little, A = 10⁴⁰⁰⁰.
+#[test]
+fn more_bits_help_where_numbers_lie_far_apart() {
+    let far = model(&json!([["1e4000"]]), &json!([[1]]), &json!([["1e-300"]]), &json!([[1]]));
+    assert_eq!(feed(&["steady", "-"], &far).code, 3);
+    let out = feed(&["steady", "-", "--most-bits", "65536"], &far).quietly(0);
+    assert!(out.contains("predicted covariance     1e8000\n"), "{out}");
+}
+
+/// A sensor that repeats another is left out, and the certificate says so; one that says something may not be.
+#[test]
+fn certificates_know_of_repeated_sensors() {
+    let directory = Directory::new();
+    let file = directory.file("twice.json", "");
+    let twice = model(&json!([[1]]), &json!([[1], [2]]), &json!([[1]]), &json!([[1, 2], [2, 4]]));
+    let out = feed(&["steady", "-", "--certificate", &file], &twice).quietly(0);
+    assert!(out.ends_with("Used is sensor 0; what is left out repeats that, noise included\n"), "{out}");
+    let _ = run(&["verify", &file]).quietly(0);
+    let text = std::fs::read_to_string(&file).expect("a certificate");
+    let mut document = exact_kalman::verify::SteadyDocument::parse(&text).expect("with a digest");
+    for noise in ["5", "3"] {
+        document.model["noise"]["observation"][1][1] = json!(noise);
+        std::fs::write(&file, document.to_line()).expect("a writable directory");
+        let ran = run(&["verify", &file]);
+        assert_eq!(ran.code, 1, "{}", ran.stderr);
+        assert!(format!("{}{}", ran.stdout, ran.stderr).contains("say something that the others do not"), "{ran:?}");
+    }
+}
+
 #[test]
 fn bad_documents_are_refused_with_their_place() {
     let model = |change: &dyn Fn(&mut Value)| {

@@ -113,6 +113,7 @@ fn steady_states_are_verified() {
             shape: matrix(0, "1"),
             rate_squared,
             balance: None,
+            kept: None,
         }),
     };
     let directory = Directory::new();

@@ -56,6 +56,7 @@ fn claimed(
         shape: dyadic(&number((1, 1)), true),
         rate_squared: DyadicNumber { exponent: rate.exponent, mantissa: rate.rows[0][0].clone() },
         balance,
+        kept: None,
     }
 }
 

@@ -8,6 +8,7 @@
 mod doubling;
 mod equation;
 mod fixed;
+mod known;
 mod point;
 mod proof;
 mod results;
@@ -26,22 +27,26 @@ use crate::model::UnifiedStep;
 use crate::scalar::{Dyadic, Interval};
 use doubling::{Failure, Proposal};
 use equation::{Equation, without_repeated};
+use known::told;
+use num_traits::Zero as _;
 use proof::Proof;
 use results::Results;
 
 /// How many digits are wanted, and how many bits may be spent on them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SteadyEffort {
-    /// Decimal digits of each entry, as parts of √(sᵢᵢ sⱼⱼ).
+    /// Decimal digits of each entry of S and of H S Hᵀ + R, as parts of √(sᵢᵢ sⱼⱼ).
     pub digits: u32,
+    /// Whether as many are wanted of what is left of S once y is known.
+    pub filtered: bool,
     /// The most bits of a number in the proof.
     pub most_bits: u64,
 }
 
 impl Default for SteadyEffort {
-    /// 30 digits, with at most 4096 bits.
+    /// 30 digits of everything, with at most 4096 bits.
     fn default() -> Self {
-        Self { digits: 30, most_bits: 1 << 12 }
+        Self { digits: 30, filtered: true, most_bits: 1 << 12 }
     }
 }
 
@@ -86,10 +91,14 @@ pub struct SteadyState {
     pub open_covariance: Matrix<Interval>,
     /// r² < 1, and the spectral radius of A − KH is at most r.
     pub rate_squared: Dyadic,
-    /// Entries of S are known to so many decimal digits of √(sᵢᵢ sⱼⱼ); nothing if exactly.
+    /// Entries of S and of H S Hᵀ + R are known to so many decimal digits of √(sᵢᵢ sⱼⱼ); nothing if exactly.
     pub digits: Option<u32>,
     /// States whose variances are not told from zero: their digits are those of the variance in A S Aᵀ + Q.
     pub vanishing: Vec<usize>,
+    /// The digits of the filtered covariance.
+    pub filtered_digits: Option<u32>,
+    /// States whose filtered variances are not told from zero, and may not be: their digits are those of the variance in S.
+    pub filtered_vanishing: Vec<usize>,
     /// The bits that the proof took.
     pub bits: u64,
     /// The sensors that are used: the others repeat them, noise included.
@@ -142,7 +151,7 @@ const MOST_STATES: usize = 200;
 /// Longer common denominators do.
 const MOST_DENOMINATOR_BITS: u64 = 1 << 16;
 
-/// Iterates that do not come to rest are given so many times the bits of the first trial.
+/// Iterates that do not come to rest are given so many times the bits of the first trial and of how far apart the numbers lie.
 const RESTLESS: u64 = 4;
 
 impl SteadyState {
@@ -187,8 +196,14 @@ impl SteadyState {
             };
             match tried {
                 Ok(proof) => {
-                    let state = Results { proof: &proof, equation: &equation, kept: &kept, sensors, bits }.state();
-                    if state.vanishing.is_empty() && state.digits.is_none_or(|digits| digits >= effort.digits) {
+                    let results = |told: &[usize]| {
+                        Results { proof: &proof, equation: &equation, kept: &kept, told, sensors, bits }.state()
+                    };
+                    let mut state = results(&[]);
+                    if !state.filtered_vanishing.is_empty() {
+                        state = results(&told(&step.observation, &step.observation_noise));
+                    }
+                    if state.reaches(effort) {
                         return Ok(state);
                     }
                     best = Ok(state);
@@ -197,7 +212,7 @@ impl SteadyState {
                     if best.is_err() {
                         best = Err(reason);
                     }
-                    if reason == Unproved::Restless && bits >= RESTLESS * first {
+                    if reason == Unproved::Restless && bits >= RESTLESS * (first + breadth(&step)) {
                         return best;
                     }
                 }
@@ -208,4 +223,23 @@ impl SteadyState {
             bits = (2 * bits).min(effort.most_bits);
         }
     }
+
+    /// Whether all is known that is wanted.
+    fn reaches(&self, effort: SteadyEffort) -> bool {
+        let is_enough = |digits: Option<u32>| digits.is_none_or(|digits| digits >= effort.digits);
+        let filtered = !effort.filtered || self.filtered_vanishing.is_empty() && is_enough(self.filtered_digits);
+        self.vanishing.is_empty() && is_enough(self.digits) && filtered
+    }
+}
+
+/// By how many bits the sizes of its numbers differ.
+fn breadth(step: &UnifiedStep) -> u64 {
+    let UnifiedStep { transition, observation, process_noise, cross_noise, observation_noise } = step;
+    let all = [transition, observation, process_noise, cross_noise, observation_noise];
+    let sizes = all.into_iter().flat_map(Matrix::entries).filter(|entry| !entry.is_zero()).map(|entry| {
+        let bits = |integer: &num_bigint::BigInt| i64::try_from(integer.bits()).unwrap_or(i64::MAX);
+        bits(entry.numer()) - bits(entry.denom())
+    });
+    let (least, most) = sizes.fold((0, 0), |(least, most), size| (size.min(least), size.max(most)));
+    most.abs_diff(least)
 }

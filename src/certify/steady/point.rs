@@ -150,9 +150,11 @@ pub(super) fn without_zero_rows(matrix: &Dyadics) -> Dyadics {
 
 /// Whether a symmetric matrix is proved positive definite: T times it times Tᵀ is near the identity for some T.
 pub(super) fn is_definite(matrix: &Dyadics) -> bool {
+    [64, 192].into_iter().any(|bits| whitening(matrix, &BigInt::one(), bits).is_some_and(|t| whitens(&t, matrix)))
+}
+
+/// Whether T M Tᵀ is so near to the identity that M is positive definite.
+pub(super) fn whitens(t: &Dyadics, matrix: &Dyadics) -> bool {
     let identity = Dyadics { mantissas: Matrix::identity(matrix.rows()), exponent: 0 };
-    [64, 192].into_iter().any(|bits| {
-        whitening(matrix, &BigInt::one(), bits)
-            .is_some_and(|t| largest_row_sum(&t.congruence(matrix).minus(&identity)) < Dyadic::one())
-    })
+    largest_row_sum(&t.congruence(matrix).minus(&identity)) < Dyadic::one()
 }

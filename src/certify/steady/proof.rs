@@ -18,6 +18,7 @@ use num_traits::One;
 use super::doubling::Proposal;
 use super::equation::{Equation, over, power_of_two, product, sum};
 use super::fixed::{Rows, identity, most_bits};
+use super::known::Known;
 use super::point::{Image, Reading, diagonal_bound, is_definite, missing, widened, without_zero_rows};
 use super::series::series;
 use super::{BOUND_BITS, Dyadics, Unproved, nearest, rounded, scale, symmetric, up};
@@ -60,8 +61,7 @@ impl Proof {
         let spread = reading.spread(&gap, equation);
         let inverse_kappa = reading.inverse_kappa(&spread).ok_or(Unproved::Singular { bits })?;
         let (kept, missed) = image.parts(&gap, equation, &inverse_kappa);
-        let next = up(&widened(&kept, &missed, &spread, &inverse_kappa), &residual, 2 * bits);
-        if !is_definite(&without_zero_rows(&gap.minus(&next))) {
+        if !is_interior(&gap, &widened(&kept, &missed, &spread, &inverse_kappa), &residual, bits) {
             return Err(Unproved::Bracket { bits });
         }
         let missing = missing(&kept, &missed, &spread, &inverse_kappa);
@@ -79,25 +79,15 @@ impl Proof {
         Ok(Self { reading, image, gap, spread, inverse_kappa, shape, rate_squared, balance })
     }
 
-    /// The states whose variances are not told from zero, and E as a part of the others, the largest of all coordinates, as
-    /// minus its binary logarithm rounded down; nothing if E = 0. For those states the unit is another variance.
-    pub(super) fn accuracy(&self, other: &[Dyadic]) -> (Vec<usize>, Option<i64>) {
-        let (point, gaps) = (self.reading.point.diagonal(), self.gap.diagonal());
-        // Indefinite weights may have a solution with negative entries there.
-        let size = |i: usize| if point[i].is_negative() { point[i].negated() } else { point[i].clone() };
-        let least = |i: usize| size(i).plus(&gaps[i].negated(), BOUND_BITS, Toward::Below);
-        let may_vanish = |i: &usize| !gaps[*i].is_zero() && (least(*i).is_negative() || least(*i).is_zero());
-        let vanishing: Vec<usize> = (0..gaps.len()).filter(may_vanish).collect();
-        let part = |i: usize| {
-            let unit = if may_vanish(&i) { other[i].clone() } else { least(i) };
-            if unit.is_negative() || unit.is_zero() {
-                return 0;
-            }
-            let part = gaps[i].over(&unit, BOUND_BITS, Toward::Above);
-            part.and_then(|part| part.magnitude()).map_or(0, |size| (-size).max(0))
+    /// How well the solution is known, with the units of states whose variances may be zero.
+    pub(super) fn known(&self, other: impl Fn(usize) -> Dyadic) -> Known {
+        let variances = self.reading.point.diagonal().into_iter().zip(self.gap.diagonal());
+        let least = |(variance, off): (Dyadic, Dyadic)| {
+            // Indefinite weights may have a solution with negative entries there.
+            let size = if variance.is_negative() { variance.negated() } else { variance };
+            (size.plus(&off.negated(), BOUND_BITS, Toward::Below), off)
         };
-        let known = (0..gaps.len()).filter(|&i| !gaps[i].is_zero()).map(part).min();
-        (vanishing, known)
+        Known::of(variances.map(least), other)
     }
 
     /// D̄
@@ -105,6 +95,11 @@ impl Proof {
         let (kept, missed) = image.parts(&self.gap, equation, &self.inverse_kappa);
         missing(&kept, &missed, &self.spread, &self.inverse_kappa)
     }
+}
+
+/// Whether `E − W' − diag(d) > 0` for a bound d of J − S̃ from both sides.
+pub(super) fn is_interior(gap: &Dyadics, widened: &Dyadics, residual: &[Dyadic], bits: u64) -> bool {
+    is_definite(&without_zero_rows(&gap.minus(&up(widened, residual, 2 * bits))))
 }
 
 /// How near to the spectral radius r is tried, as parts of 1 − ρ².
@@ -118,6 +113,11 @@ fn in_units(closed: &Dyadics, odd: &BigInt, units: &[i64], places: u64) -> Rows 
     (0..units.len()).map(|i| (0..units.len()).map(|j| entry(i, j)).collect()).collect()
 }
 
+/// What bounds J − S̃ from both sides, as a diagonal.
+pub(super) fn residual(point: &Dyadics, image: &Image, equation: &Equation, units: &[i64]) -> Vec<Dyadic> {
+    diagonal_bound(&image.joseph.minus(&point.scaled(&equation.noise_odd)), &equation.noise_odd, units)
+}
+
 /// E ≈ GEGᵀ + Ω with Ω about twice what the residual and the gain's defect take; the bound of the residual; the decay of G.
 fn gap(
     point: &Dyadics,
@@ -129,8 +129,7 @@ fn gap(
 ) -> Result<(Dyadics, Vec<Dyadic>, f64), Unproved> {
     let bits = places - BOUND_BITS;
     let n = units.len();
-    let residual = image.joseph.minus(&point.scaled(&equation.noise_odd));
-    let residual = diagonal_bound(&residual, &equation.noise_odd, units);
+    let residual = residual(point, image, equation, units);
     let missed = diagonal_bound(&image.missed, &equation.noise_odd.pow(2), units);
     let parts = residual.iter().zip(&missed).zip(units).map(|((residual, missed), unit)| {
         let all = sum(residual, &product(missed, &power_of_two(4)));

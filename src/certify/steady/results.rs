@@ -3,6 +3,7 @@
 use num_bigint::BigInt;
 
 use super::equation::{Equation, product};
+use super::known::Known;
 use super::point::{Image, widened};
 use super::proof::Proof;
 use super::{BOUND_BITS, Dyadics, SteadyState, around, intervals, root};
@@ -13,6 +14,8 @@ pub(super) struct Results<'a> {
     pub(super) proof: &'a Proof,
     pub(super) equation: &'a Equation,
     pub(super) kept: &'a [usize],
+    /// States whose filtered variances are known to be zero.
+    pub(super) told: &'a [usize],
     pub(super) sensors: usize,
     pub(super) bits: u64,
 }
@@ -27,22 +30,35 @@ impl Results<'_> {
         let ahead = &equation.ahead;
         let open = ahead.map.congruence(&proof.reading.point).scaled(&equation.lift).plus(&ahead.noise);
         let open_covariance = self.covariance(&open, &self.image(&ahead.map));
-        let before: Vec<Dyadic> = (0..open.rows()).map(|i| open_covariance[(i, i)].lower().clone()).collect();
-        let (vanishing, known) = proof.accuracy(&before);
+        let known = proof.known(|i| open_covariance[(i, i)].lower().clone());
+        let innovation_covariance = self.covariance(&proof.reading.covariance, &self.image(&equation.observation));
+        let solution = intervals(&proof.reading.point, &proof.gap, bits);
+        let mut filtered_covariance = self.covariance(&filtered.joseph, &gap);
+        for &state in self.told {
+            for other in 0..filtered_covariance.rows() {
+                filtered_covariance[(state, other)] = Interval::zero();
+                filtered_covariance[(other, state)] = Interval::zero();
+            }
+        }
+        let filtered_known = Known::of_intervals(&filtered_covariance, |i| solution[(i, i)].lower().clone());
+        let innovation_known = Known::of_intervals(&innovation_covariance, |_| Dyadic::zero());
+        let digits = [&known, &innovation_known].into_iter().filter_map(Known::digits).min();
         SteadyState {
-            solution: intervals(&proof.reading.point, &proof.gap, bits),
+            solution,
             gain: self.gain(&proof.image),
-            innovation_covariance: self.covariance(&proof.reading.covariance, &self.image(&equation.observation)),
-            filtered_covariance: self.covariance(&filtered.joseph, &gap),
+            innovation_covariance,
+            filtered_covariance,
             filter_gain: self.gain(&filtered),
             open_covariance,
-            vanishing,
             rate_squared: proof.rate_squared.clone(),
-            digits: known.map(|bits| decimals(bits.unsigned_abs())),
+            digits,
+            vanishing: known.vanishing,
+            filtered_digits: filtered_known.digits(),
+            filtered_vanishing: filtered_known.vanishing,
             bits,
             kept: self.kept.to_vec(),
             #[cfg(feature = "judge")]
-            evidence: proof.evidence(),
+            evidence: proof.evidence((self.kept.len() < self.sensors).then_some(self.kept)),
         }
     }
 
@@ -89,9 +105,4 @@ fn widest(middle: &Interval, radius: &Dyadic, bits: u64) -> Interval {
         middle.lower().plus(&radius.negated(), bits, Toward::Below),
         middle.upper().plus(radius, bits, Toward::Above),
     )
-}
-
-/// ⌊bits · log₁₀ 2⌋, or one less.
-fn decimals(bits: u64) -> u32 {
-    u32::try_from(bits.saturating_mul(30_102) / 100_000).unwrap_or(u32::MAX)
 }

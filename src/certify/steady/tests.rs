@@ -5,6 +5,7 @@ use num_traits::{One, Zero};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
+use super::point::{Image, Reading};
 use super::*;
 use crate::matrix::Matrix;
 use crate::scalar::{Rational, ratio};
@@ -121,7 +122,7 @@ fn what_is_proved_encloses_the_known_solution() {
         assert!(shrunk.loewner_le(&shape.scaled(&rate_squared)).is_ok(), "seed {seed}: the closed loop");
         // The gain, entry by entry.
         let kept: Vec<usize> = (0..step.sensors()).collect();
-        let results = Results { proof: &proof, equation: &equation, kept: &kept, sensors: kept.len(), bits };
+        let results = Results { proof: &proof, equation: &equation, kept: &kept, told: &[], sensors: kept.len(), bits };
         let state = results.state();
         for (interval, exact) in state.gain.entries().iter().zip(gain.entries()) {
             assert!(contains(interval, exact), "seed {seed}: the gain");
@@ -162,8 +163,72 @@ fn the_other_fixed_point_is_refused() {
     let gone = Proposal { rows: vec![vec![BigInt::zero()]], units: vec![0], places: 256, is_signed: false };
     assert!(Proof::of(&gone, &equation, 128).is_err());
     assert!(near(ratio(1, 1 << 40)).is_err());
-    assert!(near(ratio(29, 10)).is_ok_and(|proof| proof.accuracy(&[]).1.is_some_and(|bits| bits < 8)));
-    assert!(near(ratio(3, 1)).is_ok_and(|proof| proof.accuracy(&[]).1.is_none()));
+    assert!(near(ratio(29, 10)).is_ok_and(|proof| proof.known(|_| Dyadic::zero()).bits.is_some_and(|bits| bits < 8)));
+    assert!(near(ratio(3, 1)).is_ok_and(|proof| proof.known(|_| Dyadic::zero()).bits.is_none()));
+}
+
+/// EK-T5: a set passes for one that is mapped into itself only if it is: the inequality over fractions, with sets that are far too
+/// small, or too wide, and points that are wrong.
+#[test]
+fn only_what_is_mapped_into_itself_passes() {
+    let (mut passed, mut failed) = (0, 0);
+    for seed in 0..600 {
+        let mut draw = Draw(Pcg64Mcg::seed_from_u64(7000 + seed));
+        let Some((step, solution)) = draw.equation() else { continue };
+        let wrong = solution.scaled(&(ratio(1, 1) + ratio(draw.below(3) - 1, 1 << (3 + draw.below(12)))));
+        let (equation, bits) = (Equation::of(&step), [8, 14, 53][usize::try_from(draw.below(3)).expect("small")]);
+        let proposal = proposal(&wrong);
+        let (point, _) = proposal.on_grid(bits);
+        let Some(reading) = Reading::at(&point, &equation, bits) else { continue };
+        let image = Image::of(&reading, &equation, &equation.ahead, bits);
+        let residual = proof::residual(&point, &image, &equation, &proposal.units);
+        // The image of a multiple of the identity in units, and a little more.
+        let units: Vec<Dyadic> = proposal.units.iter().map(|unit| Dyadic::new(BigInt::one(), 2 * unit)).collect();
+        for power in 0..12 {
+            let gap = crate::certify::enclosed::diagonal(&units).multiple(&Dyadic::new(BigInt::one(), -2 * power));
+            let spread = reading.spread(&gap, &equation);
+            let Some(inverse_kappa) = reading.inverse_kappa(&spread) else { continue };
+            let (kept, missed) = image.parts(&gap, &equation, &inverse_kappa);
+            let next = point::widened(&kept, &missed, &spread, &inverse_kappa);
+            if !proof::is_interior(&gap, &next, &residual, bits) {
+                failed += 1;
+                continue;
+            }
+            passed += 1;
+            assert!(is_mapped_inside(&step, [&point, &image.gain, &reading.whitening, &gap]), "seed {seed}, {power}");
+        }
+    }
+    assert!(passed > 100 && failed > 1000, "{passed} passed, {failed} failed");
+}
+
+/// `−(E − W') ≤ J − S̃ ≤ E − W'` with `W' = (1 + 2w/κ) G E Gᵀ + (2/κ) ρ Tᵀ T ρᵀ`, as it is printed.
+fn is_mapped_inside(step: &UnifiedStep, [point, gain, whitening, gap]: [&Dyadics; 4]) -> bool {
+    let [s, k, t, e] = [point, gain, whitening, gap].map(fractions);
+    let UnifiedStep { transition: a, observation: h, process_noise: q, cross_noise, observation_noise: r } = step;
+    let sigma = h.congruence(&s) + r;
+    let rho = &k * &sigma - (a * &s * h.transpose() + cross_noise);
+    let closed = a - &k * h;
+    let shared = cross_noise * k.transpose();
+    let joseph = closed.congruence(&s) + q - &shared - shared.transpose() + k.congruence(r);
+    let off = t.congruence(&sigma) - Matrix::identity(h.rows());
+    let sum = |i: usize| off.row(i).iter().fold(Rational::zero(), |sum, entry| sum + num_traits::Signed::abs(entry));
+    let eta = (0..h.rows()).map(sum).max().unwrap_or_default();
+    let through = (&t * h).congruence(&e);
+    let spread = (0..h.rows()).fold(Rational::zero(), |sum, i| sum + &through[(i, i)]);
+    let kappa = Rational::one() - eta - &spread;
+    let two = ratio(2, 1) / &kappa;
+    let widened = closed.congruence(&e).scaled(&(Rational::one() + &two * spread))
+        + (&rho * t.transpose()).congruence(&Matrix::identity(h.rows())).scaled(&two);
+    let (room, off) = (e - widened, joseph - s);
+    kappa > Rational::zero() && off.loewner_le(&room).is_ok() && (-&off).loewner_le(&room).is_ok()
+}
+
+/// What is far from the identity proves nothing.
+#[test]
+fn a_poor_factor_proves_no_definiteness() {
+    let number = |value: i64| Dyadics { mantissas: Matrix::from_fn(1, 1, |_, _| BigInt::from(value)), exponent: 0 };
+    let whitens = |value| point::whitens(&number(1), &number(value));
+    assert_eq!([-2, -1, 0, 1, 2, 3].map(whitens), [false, false, false, true, false, false]);
 }
 
 /// A matrix is definite only if it is.

@@ -5,7 +5,7 @@ use crate::certify::certificate::{full, triangle};
 use crate::verify::{DyadicNumber, Hexadecimal, Stabilising};
 
 impl Proof {
-    pub(super) fn evidence(&self) -> Stabilising {
+    pub(super) fn evidence(&self, kept: Option<&[usize]>) -> Stabilising {
         let (mantissa, exponent) = self.rate_squared.parts();
         Stabilising {
             solution: triangle(&self.reading.point),
@@ -15,6 +15,7 @@ impl Proof {
             shape: triangle(&self.shape),
             rate_squared: DyadicNumber { exponent, mantissa: Hexadecimal(mantissa.clone()) },
             balance: self.balance,
+            kept: kept.map(<[usize]>::to_vec),
         }
     }
 }

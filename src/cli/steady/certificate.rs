@@ -13,10 +13,6 @@ use crate::verify::{RationalRows, SteadyDocument, SteadyEvidence};
 pub(super) fn write(file: &Path, page: &Page<'_>, finding: &Finding) -> Result<(), Trouble> {
     let place = file.display().to_string();
     let evidence = match finding {
-        Finding::Proved(state) if state.kept.len() < page.step.sensors() => {
-            not_written(&place, "some sensors repeat others: leave them out of the model, and ask again");
-            return Ok(());
-        }
         Finding::Proved(state) => SteadyEvidence::Stabilising(state.evidence.clone()),
         Finding::Absent(absence) => of_absence(absence),
         Finding::Undecided(..) => {

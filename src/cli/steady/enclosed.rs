@@ -7,7 +7,7 @@ use crate::certify::SteadyState;
 use crate::cli::numbers::Numbers;
 use crate::matrix::Matrix;
 use crate::model::Timing;
-use crate::protocol::{Decimal, SteadyEquation};
+use crate::protocol::Decimal;
 use crate::scalar::{Interval, Rational, ratio};
 
 /// A decimal, and how far the number may be from it; nothing if it is the number correctly rounded.
@@ -46,21 +46,21 @@ pub(super) fn named<'a>(page: &Page<'_>, state: &'a SteadyState) -> Vec<(&'stati
     let SteadyState {
         solution, gain, innovation_covariance, filtered_covariance, filter_gain, open_covariance, ..
     } = state;
-    match &page.model.equation {
-        SteadyEquation::Filter { timing: Timing::Departing, .. } => vec![
+    match page.model.equation.timing() {
+        Some(Timing::Departing) => vec![
             ("predicted covariance", plain(solution)),
             ("predictor gain", plain(gain)),
             ("innovation covariance", plain(innovation_covariance)),
             ("filtered covariance", plain(filtered_covariance)),
             ("filter gain", plain(filter_gain)),
         ],
-        SteadyEquation::Filter { timing: Timing::Arriving, .. } => vec![
+        Some(Timing::Arriving) => vec![
             ("predicted covariance", plain(open_covariance)),
             ("innovation covariance", plain(innovation_covariance)),
             ("filtered covariance", plain(solution)),
             ("filter gain", plain(gain)),
         ],
-        SteadyEquation::Control { .. } => vec![
+        None => vec![
             ("solution X", plain(solution)),
             ("feedback F", plain(gain).transpose()),
             ("R + BᵀXB", plain(innovation_covariance)),

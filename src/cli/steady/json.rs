@@ -16,8 +16,8 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
                 .into_iter()
                 .map(|(name, matrix)| (name.replace(' ', "_"), enclosed(&matrix, page.digits)))
                 .collect();
-            json!({"id": page.model.id, "verdict": "stabilising", "digits": state.digits, "bits": state.bits,
-                "kept": state.kept, "vanishing": state.vanishing, "rate": rate(state, page.digits.min(17)), "noise_is_covariance": page.is_covariance(),
+            json!({"id": page.model.id, "verdict": "stabilising", "digits": page.known(state), "bits": state.bits,
+                "kept": state.kept, "vanishing": state.vanishing, "filtered_vanishing": state.filtered_vanishing, "rate": rate(state, page.digits.min(17)), "noise_is_covariance": page.is_covariance(),
                 "matrices": matrices})
         }
         Finding::Absent(absence) => {

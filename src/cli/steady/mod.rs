@@ -12,7 +12,7 @@ use super::exit::{Exit, Trouble};
 use super::input;
 use crate::certify::{Absence, Existence, SteadyEffort, SteadyState, Unproved};
 use crate::model::{Timing, UnifiedStep};
-use crate::protocol::{SteadyEquation, SteadyModel};
+use crate::protocol::SteadyModel;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -69,9 +69,10 @@ impl Steady {
         let model = SteadyModel::parse(text.strip_prefix('\u{feff}').unwrap_or(&text))
             .map_err(|source| Trouble::Question { place, source })?;
         let step = model.unified();
-        let effort = SteadyEffort { digits: self.digits + SPARE, most_bits: self.most_bits };
-        let finding = found(&step, effort);
         let page = Page { model: &model, step, digits: self.digits };
+        let filtered = page.has_filtered();
+        let effort = SteadyEffort { digits: self.digits + SPARE, filtered, most_bits: self.most_bits };
+        let finding = found(&page.step, effort);
         if let Some(file) = &self.certificate {
             certificate::write(file, &page, &finding)?;
         }
@@ -81,7 +82,7 @@ impl Steady {
             Format::Json => json::write(&mut out, &page, &finding)?,
         }
         Ok(match &finding {
-            Finding::Proved(state) if state.digits.is_none_or(|digits| digits >= self.digits) => Exit::Clean,
+            Finding::Proved(state) if page.is_known(state, self.digits) => Exit::Clean,
             Finding::Absent(_) => Exit::Findings,
             Finding::Proved(_) | Finding::Undecided(..) => Exit::Undecided,
         })
@@ -103,25 +104,35 @@ fn found(step: &UnifiedStep, effort: SteadyEffort) -> Finding {
     }
 }
 
-/// More states and sensors are not asked whether their noise is a covariance.
-const MOST: usize = 40;
-
 impl Page<'_> {
-    /// Whether the noise is a covariance, without which S ≥ 0 does not follow; nothing if that was not asked.
-    fn is_covariance(&self) -> Option<bool> {
+    /// Whether the noise is a covariance, without which S ≥ 0 does not follow.
+    fn is_covariance(&self) -> bool {
         let UnifiedStep { process_noise, cross_noise, observation_noise, .. } = &self.step;
-        if process_noise.rows() + observation_noise.rows() > MOST {
-            return None;
-        }
         let joint = process_noise.beside(cross_noise).above(&cross_noise.transpose().beside(observation_noise));
-        Some(joint.ldl().is_ok())
+        joint.ldl().is_ok()
     }
 
     fn kind(&self) -> &'static str {
-        match &self.model.equation {
-            SteadyEquation::Filter { timing: Timing::Departing, .. } => "departing",
-            SteadyEquation::Filter { timing: Timing::Arriving, .. } => "arriving",
-            SteadyEquation::Control { .. } => "control",
+        match self.model.equation.timing() {
+            Some(Timing::Departing) => "departing",
+            Some(Timing::Arriving) => "arriving",
+            None => "control",
         }
+    }
+
+    /// Whether a filtered covariance is printed beside the solution.
+    fn has_filtered(&self) -> bool {
+        self.model.equation.timing() == Some(Timing::Departing)
+    }
+
+    /// The digits of the covariances that are printed; nothing if all is exact.
+    fn known(&self, state: &SteadyState) -> Option<u32> {
+        state.digits.into_iter().chain(state.filtered_digits.filter(|_| self.has_filtered())).min()
+    }
+
+    /// Whether so many digits are proved, each of its own variances.
+    fn is_known(&self, state: &SteadyState, digits: u32) -> bool {
+        let vanish = !state.vanishing.is_empty() || self.has_filtered() && !state.filtered_vanishing.is_empty();
+        !vanish && self.known(state).is_none_or(|known| known >= digits)
     }
 }

@@ -14,7 +14,7 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
     writeln!(out, "{} · {states}, {sensors}, {}", printable(&page.model.id), page.kind())?;
     match finding {
         Finding::Proved(state) => {
-            let known = match state.digits {
+            let known = match page.known(state) {
                 None => "exactly".to_owned(),
                 Some(digits) => format!("to {digits} digits of √(sᵢᵢ sⱼⱼ)"),
             };
@@ -25,14 +25,18 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
             let (loop_, symbol) = if page.kind() == "control" { ("A − BF", "X") } else { ("A − KH", "S") };
             writeln!(out, "The closed loop {loop_} has spectral radius below {}", rate(state, page.digits.min(17)))?;
             if state.kept.len() < m {
-                let kept: Vec<String> = state.kept.iter().map(ToString::to_string).collect();
-                writeln!(out, "Used are {}; the others repeat them, noise included", named_list(seen, &kept))?;
+                let verb = if state.kept.len() == 1 { "is" } else { "are" };
+                let kept = named_list(seen, &state.kept);
+                writeln!(out, "Used {verb} {kept}; what is left out repeats that, noise included")?;
             }
             if !state.vanishing.is_empty() {
-                let vanishing: Vec<String> = state.vanishing.iter().map(ToString::to_string).collect();
-                writeln!(out, "Not told from zero are the variances of {}", named_list("state", &vanishing))?;
+                writeln!(out, "Not told from zero: the variance of {}", named_list("state", &state.vanishing))?;
             }
-            if page.is_covariance() == Some(false) {
+            if page.has_filtered() && !state.filtered_vanishing.is_empty() {
+                let vanishing = named_list("state", &state.filtered_vanishing);
+                writeln!(out, "Not told from zero: the filtered variance of {vanishing}")?;
+            }
+            if !page.is_covariance() {
                 writeln!(
                     out,
                     "The weights are indefinite: that {symbol} ≥ 0, or is the largest solution, is not claimed"
@@ -53,8 +57,13 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
     }
 }
 
-fn named_list(what: &str, kept: &[String]) -> String {
-    if kept.is_empty() { format!("no {what}s") } else { format!("{what}s {}", kept.join(", ")) }
+fn named_list(what: &str, places: &[usize]) -> String {
+    let names: Vec<String> = places.iter().map(ToString::to_string).collect();
+    match names.as_slice() {
+        [] => format!("no {what}"),
+        [one] => format!("{what} {one}"),
+        _ => format!("{what}s {}", names.join(", ")),
+    }
 }
 
 fn counted(count: usize, what: &str) -> String {
