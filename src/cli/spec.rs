@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::Format;
 use super::exit::{Exit, Trouble};
-use crate::spec::{Entry, Erratum, Paper, Status, entries};
+use crate::spec::{Backing, Entry, Erratum, Evidence, Paper, Status, entries};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -14,6 +14,7 @@ Examples:
   exact-kalman spec CKS                    the items of a paper: CKS, HV, AK, SM or WG
   exact-kalman spec CKS-11                 one item: equation, code, tests, erratum
   exact-kalman spec HV --status checked    what tests check and no code computes
+  exact-kalman spec --backing theorem      what is proved for matrices of every size
   exact-kalman spec --errata               what the papers misprint, with witnesses
   exact-kalman spec AK --format json       one item on each line, for programs";
 
@@ -27,6 +28,10 @@ pub(super) struct Spec {
     /// Only items with this status.
     #[arg(long, value_name = "STATUS", value_parser = clap::builder::PossibleValuesParser::new(Status::ALL.map(Status::name)))]
     status: Option<String>,
+    /// Only items with such evidence: a theorem for all sizes, a symbolic proof at some size, a proof by an SMT solver, an identity at
+    /// random points, every case of a domain, tests.
+    #[arg(long, value_name = "KIND", value_parser = clap::builder::PossibleValuesParser::new(Backing::ALL.map(Backing::word)))]
+    backing: Option<String>,
     /// Only items whose print is wrong.
     #[arg(long)]
     errata: bool,
@@ -44,7 +49,7 @@ impl Spec {
         if chosen.is_empty() {
             eprintln!("none of the items chosen is such a one");
         }
-        let is_overview = self.chosen.is_empty() && self.status.is_none() && !self.errata;
+        let is_overview = self.chosen.is_empty() && self.status.is_none() && self.backing.is_none() && !self.errata;
         match self.format {
             Format::Json => {
                 for entry in chosen {
@@ -83,6 +88,7 @@ impl Spec {
         let is_chosen = |entry: &&Entry<'_>| {
             (self.chosen.is_empty() || self.chosen.iter().any(|id| is_meant(entry, id)))
                 && self.status.as_ref().is_none_or(|status| status == entry.status.name())
+                && self.backing.as_ref().is_none_or(|word| entry.evidence.iter().any(|it| it.backing.word() == word))
                 && (!self.errata || !entry.errata.is_empty())
         };
         Ok(all.iter().filter(is_chosen).collect())
@@ -127,10 +133,20 @@ fn overview(out: &mut impl Write, all: &[Entry<'_>]) -> Result<(), Trouble> {
         let name = format!("{:4}{}", paper.prefix(), paper.name());
         writeln!(out, "{name:56}{:>6}{counts}{errata:>8}", of_paper.len())?;
     }
+    let header = Backing::ALL.map(|backing| format!("{:>12}", backing.word())).concat();
+    writeln!(out, "\n{:56}{:>6}{header}", "The strongest evidence of each", "")?;
+    for paper in Paper::ALL {
+        let strongest: Vec<Backing> =
+            all.iter().filter(|entry| entry.paper == paper).filter_map(Entry::backing).collect();
+        let with = |backing| strongest.iter().filter(|strongest| **strongest == backing).count();
+        let counts = Backing::ALL.map(|backing| format!("{:>12}", with(backing))).concat();
+        let name = format!("{:4}{}", paper.prefix(), paper.name());
+        writeln!(out, "{name:56}{:>6}{counts}", "")?;
+    }
     Ok(())
 }
 
-/// An entry on one line: identifier, status, how many tests, title, and the code.
+/// An entry on one line: identifier, status, the strongest evidence, how many tests, title, and the code.
 fn line(entry: &Entry<'_>) -> String {
     let tests = match entry.tests.len() {
         0 => String::new(),
@@ -138,7 +154,8 @@ fn line(entry: &Entry<'_>) -> String {
         count => format!("{count} tests"),
     };
     let code = if entry.code.is_empty() { String::new() } else { format!(" · {}", entry.code.join(", ")) };
-    format!("{:22} {:12} {tests:>8}  {}{code}", entry.id, entry.status, entry.title)
+    let backing = entry.backing().map_or("", Backing::word);
+    format!("{:22} {:12} {backing:11} {tests:>8}  {}{code}", entry.id, entry.status, entry.title)
 }
 
 fn whole(out: &mut impl Write, entry: &Entry<'_>) -> Result<(), Trouble> {
@@ -147,6 +164,7 @@ fn whole(out: &mut impl Write, entry: &Entry<'_>) -> Result<(), Trouble> {
     // Text that begins in lower case goes on where the status left off.
     match entry.text.chars().next() {
         None => writeln!(out, "{}", entry.status)?,
+        Some(',') => writeln!(out, "{}{}", entry.status, plain(&entry.text))?,
         Some(first) if first.is_lowercase() => writeln!(out, "{}: {}", entry.status, plain(&entry.text))?,
         Some(_) => writeln!(out, "{}\n{}", entry.status, plain(&entry.text))?,
     }
@@ -156,6 +174,11 @@ fn whole(out: &mut impl Write, entry: &Entry<'_>) -> Result<(), Trouble> {
         {
             writeln!(out, "   {:13}{}", format!("{name}:"), plain(part))?;
         }
+    }
+    for (place, Evidence { backing, name, extent }) in entry.evidence.iter().enumerate() {
+        let extent = if extent.is_empty() { String::new() } else { format!(" ({extent})") };
+        let line = format!("{backing} {name}{extent}");
+        writeln!(out, "{:6} {}", if place == 0 { "basis" } else { "" }, line.trim_end())?;
     }
     for (name, items) in [("code", &entry.code), ("tests", &entry.tests)] {
         for (place, item) in items.iter().enumerate() {
@@ -179,9 +202,18 @@ struct Document<'a> {
     equation: &'a str,
     status: &'a str,
     code: &'a [&'a str],
+    backing: Option<&'a str>,
+    evidence: Vec<EvidenceDocument<'a>>,
     tests: &'a [&'a str],
     text: &'a str,
     errata: Vec<ErratumDocument<'a>>,
+}
+
+#[derive(Serialize)]
+struct EvidenceDocument<'a> {
+    backing: &'a str,
+    name: &'a str,
+    extent: &'a str,
 }
 
 #[derive(Serialize)]
@@ -199,6 +231,11 @@ fn json(entry: &Entry<'_>) -> Result<String, Trouble> {
         witness: &erratum.witness,
         consequence: &erratum.consequence,
     });
+    let evidence = entry.evidence.iter().map(|&Evidence { backing, name, extent }| EvidenceDocument {
+        backing: backing.word(),
+        name,
+        extent,
+    });
     let document = Document {
         id: entry.id,
         paper: entry.paper.name(),
@@ -206,6 +243,8 @@ fn json(entry: &Entry<'_>) -> Result<String, Trouble> {
         equation: entry.equation,
         status: entry.status.name(),
         code: &entry.code,
+        backing: entry.backing().map(Backing::word),
+        evidence: evidence.collect(),
         tests: &entry.tests,
         text: &entry.text,
         errata: errata.collect(),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Erratum;
+use super::{Backing, Erratum, Evidence};
 
 /// What has become of an item of a paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -106,10 +106,19 @@ pub struct Entry<'a> {
     pub status: Status,
     /// The items of this crate that the entry links, as paths from its root.
     pub code: Vec<&'a str>,
+    /// What it rests on, the strongest first.
+    pub evidence: Vec<Evidence<'a>>,
     /// The tests that name the entry, as `cargo test` calls them, the test program first.
     pub tests: Vec<&'a str>,
     /// What else is said about it: hypotheses, what fails without them.
     pub text: String,
     /// The slips of the paper that were found there.
     pub errata: Vec<Erratum>,
+}
+
+impl Entry<'_> {
+    /// The strongest kind of evidence; nothing for what cannot be computed or is open.
+    pub fn backing(&self) -> Option<Backing> {
+        self.evidence.iter().map(|evidence| evidence.backing).min()
+    }
 }

@@ -1,15 +1,18 @@
 //! Floor 6 · The specification and, read from the same page, its entries as data: what `exact-kalman spec` prints
 //! and what the tests hold against code and tests. Holds no equation of its own.
 
+mod backing;
 mod entry;
 mod erratum;
 mod parse;
 
+pub use backing::{Backing, Evidence};
 pub use entry::{Entry, Paper, Status};
 pub use erratum::Erratum;
 pub use parse::{MalformedEntry, parse};
 
-/// What begins the line of tests, which is written by `UPDATE_SPEC=1 cargo test --test spec`.
+/// What begins the line of evidence, and that of tests, which are written by `UPDATE_SPEC=1 cargo test --test spec`.
+const BACKING: &str = "\nBacking: ";
 const TESTS: &str = "\nTests: ";
 
 /// The page.

@@ -13,7 +13,7 @@ pub struct MalformedEntry {
 }
 
 /// The entries of a page: headings `### ID Title`, a quoted line, a paragraph that begins with the status, and the
-/// line of tests.
+/// lines of evidence and of tests.
 ///
 /// # Errors
 ///
@@ -44,8 +44,12 @@ fn entry<'a>(id: &'a str, title: &'a str, body: &'a str) -> Result<Entry<'a>, St
     let status = status.ok_or_else(|| format!("has the unknown status {word:?}"))?;
     let (text, tests) = rest.split_once(super::TESTS).unwrap_or((rest, ""));
     let tests = tests.split('`').skip(1).step_by(2).collect();
-    let (text, errata) = Erratum::taken_out(&flowing(without_first_links(text)))?;
-    Ok(Entry { id, paper, title, equation, status, code: links(rest), tests, text, errata })
+    let (text, evidence) = match text.split_once(super::BACKING) {
+        Some((text, line)) => (text, super::backing::evidence(line)?),
+        None => (text, Vec::new()),
+    };
+    let (flowed, errata) = Erratum::taken_out(&flowing(without_first_links(text)))?;
+    Ok(Entry { id, paper, title, equation, status, code: links(text), evidence, tests, text: flowed, errata })
 }
 
 /// The paths of links such as ``[`trace::Record`]``.

@@ -26,7 +26,7 @@ fn every_item_of_a_paper_is_listed() {
     }
 }
 
-/// A line names status, number of tests, title and code.
+/// A line names status, strongest evidence, number of tests, title and code.
 #[test]
 fn a_line_tells_how_an_item_is_held() {
     let printed = run(&["spec", "CKS"]).quietly(0);
@@ -41,8 +41,15 @@ fn a_line_tells_how_an_item_is_held() {
     assert!(page.contains("[`trace::Record`]"));
     let words: Vec<&str> = line.split_whitespace().collect();
     assert_eq!(words[1], "implemented");
+    // The strongest evidence comes first.
+    let strongest = page.split("\nBacking: ").nth(1).expect("there");
+    let word = [("proved for all sizes", "theorem"), ("proved symbolically", "symbolic"), ("proved by SMT", "smt")]
+        .into_iter()
+        .chain([("zero at random points", "points"), ("exhaustive", "exhaustive"), ("tested", "tested")])
+        .find_map(|(begins, word)| strongest.starts_with(begins).then_some(word));
+    assert_eq!(Some(words[2]), word);
     let named = page.split("\nTests: ").nth(1).expect("there").matches('`').count() / 2;
-    assert_eq!(words[2], named.to_string());
+    assert_eq!(words[3], named.to_string());
     assert!(line.ends_with("Predicted covariance · trace::Record"), "{line}");
 }
 
@@ -56,6 +63,15 @@ fn the_overview_counts() {
         let numbers: Vec<usize> = line[56..].split_whitespace().map(|word| word.parse().expect("a number")).collect();
         assert_eq!(numbers[..5], counts, "{line}");
     }
+    // Each item that a test names is counted once by its strongest evidence.
+    let page = include_str!("../../SPEC.md");
+    for (line, paper) in printed.lines().skip(9).zip(["CKS", "HV", "AK", "SM", "WG", "EK"]) {
+        let numbers: Vec<usize> = line[56..].split_whitespace().map(|word| word.parse().expect("a number")).collect();
+        let sections = page.split("\n### ").filter(|section| section.starts_with(&format!("{paper}-")));
+        let backed = sections.filter(|section| section.contains("\nBacking: ")).count();
+        assert_eq!((numbers.len(), numbers.iter().sum::<usize>()), (6, backed), "{line}");
+    }
+    assert_eq!(printed.lines().count(), 15, "{printed}");
 }
 
 #[test]

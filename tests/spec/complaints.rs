@@ -37,7 +37,8 @@ pub fn complaints(specification: &str, sources: &Sources) -> Vec<String> {
 /// Identifiers that are unknown or misquoted.
 fn misnamed(entries: &BTreeMap<&str, &Entry<'_>>, sources: &Sources) -> Vec<String> {
     let mut complaints = Vec::new();
-    for Source { path, text } in sources.code.iter().chain(&sources.tests) {
+    let proofs = sources.theorems.iter().chain(&sources.statements);
+    for Source { path, text } in sources.code.iter().chain(&sources.tests).chain(proofs) {
         for (id, equation) in quoted(text) {
             if entries.get(id.as_str()).is_some_and(|entry| entry.equation != equation) {
                 complaints.push(format!("{}: {id} is misquoted", path.display()));

@@ -1,6 +1,7 @@
 //! SPEC.md ⇄ code ⇄ tests: every entry is quoted to the letter, implemented, and named by a test; every erratum has
-//! its witness run; the lines of tests and the chapter of errata are those that follow from the rest.
+//! its witness run; the lines of evidence and of tests and the chapter of errata are those that follow from the rest.
 
+mod backing;
 mod complaints;
 mod generated;
 mod sources;
@@ -45,7 +46,10 @@ fn what_is_implemented_is_linked() {
 fn generated_parts_are_up_to_date() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("SPEC.md");
     let page = fs::read_to_string(&path).unwrap_or_else(|error| panic!("SPEC.md: {error}"));
-    let expected = generated::updated(&page, &Sources::of_the_project().tests_by_identifier());
+    let sources = Sources::of_the_project();
+    let tests = sources.tests_by_identifier();
+    let backings = backing::backings(&sources).unwrap_or_else(|problem| panic!("{problem}"));
+    let expected = generated::updated(&page, &backings, &tests);
     if std::env::var_os("UPDATE_SPEC").is_some() {
         fs::write(&path, expected).unwrap_or_else(|error| panic!("SPEC.md: {error}"));
     } else {
@@ -62,7 +66,8 @@ fn disagreements_are_found() {
         "\n### CKS-4 Covariance\n\n> `P = R − K`\n\n*implemented*: there.\n\n### CKS-L0 Open\n\n> `a`\n\n*open*.\n";
     let code = |text: &str| vec![Source::new("a.rs", text)];
     let test = |docs: &str| vec![Source::new("tests/a.rs", &format!("{docs}\n#[test]\nfn holds() {{}}\n"))];
-    let found = |specification: &str, code, tests| complaints(specification, &Sources { code, tests });
+    let found =
+        |specification: &str, code, tests| complaints(specification, &Sources { code, tests, ..Sources::default() });
     let none: [&str; 0] = [];
     assert_eq!(found(specification, code("/// CKS-4: `P = R − K`"), test("/// CKS-4")), none);
     assert_eq!(found(specification, code("/// CKS-4: `P = R + K`"), test("/// CKS-4")), ["a.rs: CKS-4 is misquoted"]);

@@ -58,17 +58,29 @@ fn module(path: &Path) -> String {
     parts.join("::")
 }
 
-/// Code and tests of the project.
+/// Code, tests and proofs of the project.
+#[derive(Default)]
 pub struct Sources {
     pub code: Vec<Source>,
     pub tests: Vec<Source>,
+    /// Theorems for Rocq.
+    pub theorems: Vec<Source>,
+    /// Statements for solvers.
+    pub statements: Vec<Source>,
 }
 
 impl Sources {
     pub fn of_the_project() -> Self {
-        let tests =
-            ["tests", "proofs"].into_iter().flat_map(read).filter(|source| !source.path.starts_with("tests/spec"));
-        Self { code: read("src"), tests: tests.collect() }
+        let tests = ["tests", "proofs"]
+            .into_iter()
+            .flat_map(|room| read(room, "rs"))
+            .filter(|source| !source.path.starts_with("tests/spec"));
+        Self {
+            code: read("src", "rs"),
+            tests: tests.collect(),
+            theorems: read("proofs/rocq", "v"),
+            statements: read("proofs/smt", "smt2"),
+        }
     }
 
     /// The tests that name each identifier.
@@ -83,14 +95,14 @@ impl Sources {
     }
 }
 
-fn read(directory: &str) -> Vec<Source> {
+fn read(directory: &str, wanted: &str) -> Vec<Source> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut pending = vec![root.join(directory)];
     let mut sources = Vec::new();
     while let Some(path) = pending.pop() {
         if path.is_dir() {
             pending.extend(fs::read_dir(&path).into_iter().flatten().flatten().map(|entry| entry.path()));
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
+        } else if path.extension().is_some_and(|extension| extension == wanted) {
             let text = fs::read_to_string(&path).unwrap_or_default();
             let path = path.strip_prefix(root).unwrap_or(&path).to_owned();
             sources.push(Source { path, text });

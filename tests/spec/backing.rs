@@ -1,0 +1,126 @@
+//! What entries rest on, read from where it stands: theorems, statements for solvers, identities, exhaustive tests, tests.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use exact_kalman::spec::Backing;
+
+use crate::sources::{Source, Sources, named};
+
+/// What stands in the line of each identifier, part by part: the strongest first, then by name.
+pub type Backings = BTreeMap<String, BTreeSet<Part>>;
+
+/// One part of a line, in its order.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Part(Backing, String);
+
+impl std::borrow::Borrow<str> for Part {
+    fn borrow(&self) -> &str {
+        &self.1
+    }
+}
+
+/// Everything that backs an entry.
+pub fn backings(sources: &Sources) -> Result<Backings, String> {
+    let mut found = Backings::new();
+    let mut add = |ids: &BTreeSet<String>, backing: Backing, name: &str, extent: &str| {
+        for id in ids {
+            let words = match (name, extent) {
+                ("", _) => backing.name().to_owned(),
+                (_, "") => format!("{backing} `{name}`"),
+                _ => format!("{backing} `{name}` ({extent})"),
+            };
+            assert!(!words.contains("; "), "{words}: a semicolon ends a part");
+            found.entry(id.clone()).or_default().insert(Part(backing, words));
+        }
+    };
+    for theorem in sources.theorems.iter().flat_map(theorems) {
+        let (name, ids) = theorem?;
+        add(&ids, Backing::AllSizes, &name, "");
+    }
+    for statement in &sources.statements {
+        if let Some((name, ids, size)) = statement_of(statement)? {
+            add(&ids, Backing::Solver, &name, &size);
+        }
+    }
+    for (test, docs) in sources.tests.iter().flat_map(Source::tests) {
+        let ids = named(&docs);
+        let domain = docs.lines().find_map(|line| line.trim().strip_prefix("Domain: "));
+        if let Some(domain) = domain {
+            let domain =
+                domain.strip_suffix('.').ok_or_else(|| format!("{test}: its domain does not end with a full stop"))?;
+            add(&ids, Backing::Exhaustive, &test, domain);
+        }
+        add(&ids, Backing::Tested, "", "");
+    }
+    Ok(found)
+}
+
+/// Theorems with the identifiers that begin the comment before them: `(** AK-L4.2: a sentence. *)`.
+fn theorems(source: &Source) -> Vec<Result<(String, BTreeSet<String>), String>> {
+    let file = source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let mut found = Vec::new();
+    for rest in source.text.split("(** ").skip(1) {
+        let Some((comment, after)) = rest.split_once("*)") else { continue };
+        // Identifiers stand before the first colon, and nothing else does.
+        let Some((before, _)) = comment.split_once(": ") else { continue };
+        let ids = named(before);
+        if ids.is_empty() || ids.len() != before.split(", ").count() {
+            continue;
+        }
+        let mut words = after.split_whitespace();
+        let name = match (words.next(), words.next()) {
+            (Some("Theorem" | "Lemma" | "Corollary" | "Proposition" | "Fact"), Some(name)) => {
+                Ok((format!("{file}.{}", name.trim_end_matches(':')), ids))
+            }
+            _ => Err(format!("{}: no theorem follows «{}»", source.path.display(), before)),
+        };
+        found.push(name);
+    }
+    found
+}
+
+/// A statement for a solver: its name, what it is a statement of, and for which size. Controls back nothing.
+fn statement_of(source: &Source) -> Result<Option<(String, BTreeSet<String>, String)>, String> {
+    let path = source.path.with_extension("");
+    let name = path.strip_prefix("proofs/smt").unwrap_or(&path).display().to_string();
+    let header =
+        |key: &str| source.text.lines().find_map(|line| line.strip_prefix("; ")?.strip_prefix(key)).map(str::trim);
+    match header("Expect:") {
+        Some("unsat") => {
+            let ids = named(header("Identifiers:").unwrap_or_default());
+            let size = header("Size:").ok_or_else(|| format!("{name} states no size"))?;
+            Ok(Some((name, ids, size.to_owned())))
+        }
+        Some("sat") => Ok(None),
+        _ => Err(format!("{name} does not say what is expected")),
+    }
+}
+
+#[test]
+fn evidence_is_read_where_it_stands() {
+    let theorem = "(** AK-1, AK-2: a\n sentence: this. *)\nTheorem first n : n = n.\n(** A note: no identifier. *)\nLemma x : y.\n";
+    let statement = "; Identifiers: AK-1\n; Statement: s\n; Size: 2×2\n; Expect: unsat\n";
+    let control = "; Control: c\n; Identifiers: AK-1\n; Expect: sat\n";
+    let test = "/// AK-2: all.\n/// Domain: all of it.\n#[test]\nfn holds() {}\n/// AK-3\n#[test]\nfn other() {}\n";
+    let sources = Sources {
+        code: vec![],
+        tests: vec![Source::new("tests/exhaustive/a.rs", test)],
+        theorems: vec![Source::new("proofs/rocq/Stein.v", theorem)],
+        statements: vec![Source::new("proofs/smt/a/b.smt2", statement), Source::new("proofs/smt/c.smt2", control)],
+    };
+    let found = backings(&sources).expect("well written");
+    let line = |id: &str| found[id].iter().map(|part| part.1.clone()).collect::<Vec<_>>().join("; ");
+    assert_eq!(line("AK-1"), "proved for all sizes `Stein.first`; proved by SMT `a/b` (2×2)");
+    assert_eq!(
+        line("AK-2"),
+        "proved for all sizes `Stein.first`; exhaustive `exhaustive::a::holds` (all of it); tested"
+    );
+    assert_eq!(line("AK-3"), "tested");
+    let page = format!("\n### AK-2 Title\n\n> `a`\n\n*checked*: so.\n\nBacking: {}.\n\nTests: `a::b`.\n", line("AK-2"));
+    let entries = exact_kalman::spec::parse(&page).expect("a page");
+    assert_eq!(entries[0].backing(), Some(Backing::AllSizes));
+    assert_eq!(entries[0].evidence[1].extent, "all of it");
+    assert_eq!((entries[0].evidence.len(), entries[0].text.as_str()), (3, "so."));
+    let lost = Source::new("proofs/rocq/Stein.v", "(** AK-1: a sentence. *)\nDefinition x := y.\n");
+    assert!(theorems(&lost)[0].is_err());
+}
