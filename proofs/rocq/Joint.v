@@ -35,6 +35,10 @@ Definition residual J K : 'M_n := row_mx 1%:M (- K) *m J *m (row_mx 1%:M (- K))^
 Lemma joint_blocks J : J = block_mx (Jxx J) (Jxy J) (Jyx J) (Jyy J).
 Proof. by rewrite submxK. Qed.
 
+Lemma JxxD J J' : Jxx (J + J') = Jxx J + Jxx J'. Proof. by apply/matrixP=> i j; rewrite !mxE. Qed.
+Lemma JxyD J J' : Jxy (J + J') = Jxy J + Jxy J'. Proof. by apply/matrixP=> i j; rewrite !mxE. Qed.
+Lemma JyyD J J' : Jyy (J + J') = Jyy J + Jyy J'. Proof. by apply/matrixP=> i j; rewrite !mxE. Qed.
+
 Lemma JyxE J : psd J -> Jyx J = (Jxy J)^T.
 Proof. by move=> pJ; rewrite psd_tr_ur. Qed.
 
