@@ -205,13 +205,12 @@ Qed.
 
 End Geometric.
 
+Lemma char_poly_tr (F : fieldType) n (A : 'M[F]_n) : char_poly A^T = char_poly A.
+Proof. by rewrite /char_poly /char_poly_mx -map_trmx -{1}(tr_scalar_mx _ 'X) -linearB det_tr. Qed.
+
 (** The eigenvector, in its real and imaginary parts u and v: Dᵀx = (a + ib)x with x = u + iv. *)
 Section Eigenvector.
 Variables (R : realFieldType) (n : nat).
-
-Fact plane_ring (a b p q r s : R) :
-  a * (a * p) - b * (a * q) - (a * (b * r) - b * (b * s)) = a * (a * p) - b * (a * q) - a * (b * r) + b * (b * s).
-Proof. by ring. Qed.
 
 (** AK-L4.2-eigen: x*(F − DᵀFD)x = (1 − |λ|²)x*Fx, with real and imaginary parts of x and λ written out. *)
 Theorem eigenvector_decides (F D : 'M[R]_n) (u v : 'rV_n) (a b : R) : F^T = F ->
@@ -249,7 +248,7 @@ Qed.
 Theorem stein_lemma (F D : 'M[R]_n) : psd F -> pd (F - D^T *m F *m D) ->
   forall z : R[i], root (char_poly (map_mx (real_complex R) D)) z -> `|z| < 1.
 Proof.
-move=> pF pFD z; rewrite -char_poly_trmx -eigenvalue_root_char -map_trmx => /eigenvalueP[x ex nx].
+move=> pF pFD z; rewrite -char_poly_tr -eigenvalue_root_char map_trmx => /eigenvalueP[x ex nx].
 have /= [eu ev] := eigenvector_parts ex.
 set u := map_mx _ x in eu ev; set v := map_mx _ x in eu ev.
 have := eigenvector_decides (psd_sym pF) eu ev.
@@ -263,7 +262,7 @@ have f0 : 0 <= form F u u + form F v v by rewrite addr_ge0 ?pF.2.
 have l1 : complex.Re z ^+ 2 + complex.Im z ^+ 2 < 1.
   rewrite ltNge -subr_le0; apply/negP => l; move: q0; rewrite e ltNge => /negP; apply.
   exact: mulr_le0_ge0.
-rewrite normc_def -[1](rmorph1 (real_complex_rmorphism R)) ltcR.
+rewrite normc_def [X in _ < X](_ : 1 = 1%:C) // ltcR.
 by rewrite -(sqrtr1 R) ltr_sqrt ?ltr01.
 Qed.
 
@@ -271,7 +270,7 @@ Qed.
 Theorem contraction_eigenvalues (D : 'M[R]_n) : contraction D ->
   forall z : R[i], root (char_poly (map_mx (real_complex R) D)) z -> `|z| < 1.
 Proof.
-case=> T pT pTD z; rewrite -char_poly_trmx -map_trmx; apply: (stein_lemma pT).
+case=> T pT pTD z; rewrite -char_poly_tr map_trmx; apply: (stein_lemma pT).
 by rewrite trmxK.
 Qed.
 
