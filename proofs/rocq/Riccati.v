@@ -182,6 +182,14 @@ Qed.
 
 End Riccati.
 
+(** More noise, more covariance. *)
+Theorem riccati_mono_noise (R : realFieldType) n p (A : 'M[R]_n) (C : 'M[R]_(p, n)) (N N' : 'M[R]_(n + p)) P :
+  psd N -> N ⪯ N' -> psd P -> riccati A C N P ⪯ riccati A C N' P.
+Proof.
+move=> pN NN pP; apply: schur_mono; first exact: psd_stack.
+by rewrite /stack opprD addrACA subrr add0r.
+Qed.
+
 (** The timing of CKS: x₊ = A x + D w, y = C x₊ + F w with noise w of covariance I. *)
 Section Arriving.
 Variables (R : realFieldType) (n p q : nat).
