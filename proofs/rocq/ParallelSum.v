@@ -18,7 +18,7 @@ Local Open Scope ring_scope.
 
 Definition parallel_sum (R : realFieldType) n (F G : 'M[R]_n) : 'M[R]_n := F *m (F + G)^† *m G.
 
-Notation "F ∥ G" := (parallel_sum F G) (at level 50, left associativity).
+Notation "F ∥ G" := (parallel_sum F G) (at level 45, left associativity).
 
 Section ParallelSum.
 Variables (R : realFieldType) (n : nat).
