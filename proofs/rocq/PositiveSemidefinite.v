@@ -297,6 +297,23 @@ rewrite e; apply: pd_congruence => //.
 by rewrite row_free_unit unitmx_inv.
 Qed.
 
+(** Inverses turn the order round. *)
+Theorem pd_inv_antitone A B : pd A -> A ⪯ B -> invmx B ⪯ invmx A.
+Proof.
+move=> pA AB; have pB := pd_le pA AB; have [pA' pB'] := (pd_inv pA, pd_inv pB).
+split=> [|x]; first by rewrite linearB /= (pd_sym pA') (pd_sym pB').
+rewrite formB subr_ge0; pose u := x *m invmx B; pose v := x *m invmx A.
+have eB : form (invmx B) x x = form B u u.
+  by rewrite /form /u trmx_mul (pd_sym pB') mulmxKV ?pd_unit // mulmxA.
+have eA : form A v v = form (invmx A) x x.
+  by rewrite /form /v trmx_mul (pd_sym pA') mulmxKV ?pd_unit // mulmxA.
+have eq : form B u u = form A u v.
+  rewrite -eB /form /v trmx_mul (pd_sym pA') !mulmxA mulmxK ?pd_unit //.
+have := (pd_psd pB).2 u; rewrite eB le_eqVlt => /orP[/eqP<-|q0]; first exact: (pd_psd pA').2.
+rewrite -(ler_pmul2l q0); have := cauchy_schwarz u v (pd_psd pA); rewrite -eq eA expr2 => /le_trans; apply.
+by apply: ler_wpmul2r; [exact: (pd_psd pA').2 | rewrite -subr_ge0 -formB AB.2].
+Qed.
+
 End CauchySchwarz.
 
 Section Blocks.

@@ -94,7 +94,7 @@ move=> pS ST; have pT := psd_le pS ST; rewrite !andersonE //.
 by apply: riccati_mono => //; apply: psd_uncorrelated.
 Qed.
 
-(** AK-4.2: V ⪯ φ(S), whatever S ⪰ 0, *)
+(** AK-4.2, AK-5-compact: V ⪯ φ(S), whatever S ⪰ 0, *)
 Theorem anderson_lower S : psd S -> V ⪯ phi S.
 Proof. by move=> pS; rewrite /phi /anderson addrK; apply/psd_congruence/parallel_sum_psd. Qed.
 
@@ -104,7 +104,7 @@ Proof.
 by move=> pS; rewrite /phi /anderson parallel_sumC // parallel_sum_subtractive // (addrC W S).
 Qed.
 
-(** AK-4.2: φ(S) ⪯ AWAᵀ + V. *)
+(** AK-4.2, AK-5-compact: φ(S) ⪯ AWAᵀ + V. *)
 Theorem anderson_upper S : psd S -> phi S ⪯ A *m W *m A^T + V.
 Proof.
 move=> pS; rewrite /phi /anderson opprD addrACA subrr addr0.
@@ -150,7 +150,7 @@ move=> pS; rewrite iterSr; split; apply: iter_anderson_mono => //.
 - exact: anderson_upper.
 Qed.
 
-(** AK-5-compact: from the second step on every iterate is between V and AWAᵀ + V. *)
+(** From the second step on every iterate is between V and AWAᵀ + V. *)
 Theorem anderson_interval S k : psd S -> V ⪯ iter k.+1 phi S /\ iter k.+1 phi S ⪯ top.
 Proof.
 by move=> pS; split; [apply: anderson_lower | apply: anderson_upper]; apply: iter_anderson_psd.
@@ -224,8 +224,7 @@ move=> pS; elim: k => //= k IH; rewrite -IH -andersonE //.
 exact: iter_anderson_psd.
 Qed.
 
-(** AK-T2.3: and every orbit converges to it: from any S ⪯ bT,
-    (1 − (1 − e)ᵏ)T ⪯ φᵏ(S) ⪯ (1 + (b − 1)(1 − e)ᵏ)T, where eT ⪯ V. *)
+(** AK-T2.3: and every orbit converges to it: from any S ⪯ bT, (1 − (1 − e)ᵏ)T ⪯ φᵏ(S) ⪯ (1 + (b − 1)(1 − e)ᵏ)T, where eT ⪯ V. *)
 Theorem anderson_convergence T e b S k : psd T -> T = phi T -> 0 < e -> e <= 1 -> e *: T ⪯ V ->
   psd S -> 1 <= b -> S ⪯ b *: T ->
   (1 - (1 - e) ^+ k) *: T ⪯ iter k phi S /\ iter k phi S ⪯ (1 + (b - 1) * (1 - e) ^+ k) *: T.
@@ -234,7 +233,7 @@ move=> pT eT e0 e1 eV pS b1 Sb; rewrite iter_andersonE //.
 by apply: convergence => //; rewrite ?schur_uncorrelated -?andersonE //; apply: psd_uncorrelated.
 Qed.
 
-(** AK-T2.3, AK-5-r: uniformly in the start: with AWAᵀ + V ⪯ bT one number of steps serves all S ⪰ 0. *)
+(** AK-T2.3, AK-5-r: uniformly in the start: with AWAᵀ + V ⪯ bT the same bounds, hence one number of steps, serve all S ⪰ 0. *)
 Theorem anderson_uniform T e b S k : psd T -> T = phi T -> 0 < e -> e <= 1 -> e *: T ⪯ V ->
   psd S -> 1 <= b -> top ⪯ b *: T ->
   (1 - (1 - e) ^+ k) *: T ⪯ iter k.+1 phi S /\ iter k.+1 phi S ⪯ (1 + (b - 1) * (1 - e) ^+ k) *: T.
