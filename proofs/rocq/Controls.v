@@ -54,10 +54,10 @@ Theorem control_two_fixed_points :
   [/\ psd (0%:M : 'M[R]_1), psd (3%:R%:M : 'M[R]_1), phi 0%:M = 0%:M, phi 3%:R%:M = 3%:R%:M &
       (0%:M : 'M[R]_1) <> 3%:R%:M].
 Proof.
-split=> /=; rewrite ?scalar_anderson; try exact: scalar_psd.
-- by congr _%:M; rewrite mul0r !mul0r mulr0 !mul0r addr0.
-- congr _%:M; have n4 : 3%:R + 1 != 0 :> R by rewrite -natrD pnatr_eq0.
-  by rewrite mulr1 addr0; apply: (mulIf n4); rewrite -!mulrA (mulrCA _^-1) mulVf // mulr1 -!natrM -natrD -natrM.
+have n4 : 3%:R + 1 != 0 :> R by rewrite -(natrD R 3 1) pnatr_eq0.
+split=> /=; rewrite ?scalar_anderson; [by apply: scalar_psd | by apply: scalar_psd; rewrite ler0n | | |].
+- by rewrite !(mul0r, mulr0, addr0).
+- by congr _%:M; rewrite mulr1 addr0; field.
 by move/matrixP/(_ 0 0)/eqP; rewrite !mxE /= !mulr1n eq_sym pnatr_eq0.
 Qed.
 
@@ -67,7 +67,7 @@ Theorem control_fixed_point :
   [/\ pd ((2%:R^-1)%:M : 'M[R]_1), psd (1%:M : 'M[R]_1) & phi 1%:M = 1%:M].
 Proof.
 split=> /=; [by apply: scalar_pd; rewrite invr_gt0 ltr0n | exact: psd1 |].
-rewrite scalar_anderson !mul1r !mulr1 -mulr2n -[_^-1 *+ 2]mulr_natr mulVf // -mulr2n pnatr_eq0.
+rewrite scalar_anderson; by congr _%:M; field.
 Qed.
 
 (** Control: the joint covariance must be semidefinite: Pxx = Pyy = 0, Pxy = 1 has Pxy Pyy⁺ Pyy = 0. *)
@@ -145,7 +145,26 @@ Theorem two_fixed_points_of_order_two :
   let W : 'M[R]_(1 + 1) := block_mx 1%:M 0 0 0 in
   [/\ anderson A V W V = V, anderson A V W (V + 3%:R *: W) = V + 3%:R *: W & V + 3%:R *: W <> V].
 Proof.
-have diag (s t : R) : s%:M + 1%:M != 0 :> 'M[R]_1 -> True by [].
-Abort.
+move=> A V W; have tV s : V + s *: W = block_mx s%:M 0 0 1%:M.
+  by rewrite scale_block_mx !scaler0 add_block_mx !addr0 add0r scalemx1.
+have fix2 s : s != -1 -> anderson A V W (V + s *: W) = V + (2%:R * (s / (s + 1)) * 2%:R) *: W.
+  move=> ns; rewrite !tV /anderson /parallel_sum add_block_mx !addr0 -scalarD.
+  have n1 : s + 1 != 0 by rewrite addr_eq0.
+  rewrite (pseudo_inverse_eq (X := block_mx (s + 1)^-1%:M 0 0 1%:M)).
+    rewrite !mulmx_block !(mulmx0, mul0mx, mulmx1, mul1mx, addr0, add0r) -scalar_mxM.
+    rewrite (_ : A = block_mx 2%:R%:M 0 0 2%:R%:M) ?tr_block_mx ?trmx0 ?tr_scalar_mx; last exact: scalar_mx_block.
+    rewrite !mulmx_block !(mulmx0, mul0mx, mulmx1, mul1mx, addr0, add0r) -!scalar_mxM.
+    by rewrite add_block_mx !(addr0, add0r).
+  by split; rewrite !mulmx_block ?tr_block_mx !(mulmx0, mul0mx, mulmx1, mul1mx, addr0, add0r) -!scalar_mxM
+    ?trmx0 ?tr_scalar_mx ?mulfV ?mulVf ?mul1r.
+split.
+- have := fix2 0; rewrite !(mul0r, mulr0) !scale0r !addr0; apply.
+  by rewrite eq_sym oppr_eq0 oner_eq0.
+- rewrite fix2; last by rewrite -subr_eq0 opprK -(natrD R 3 1) pnatr_eq0.
+  have n4 : 3%:R + 1 != 0 :> R by rewrite -(natrD R 3 1) pnatr_eq0.
+  by congr (_ + _ *: _); field.
+rewrite tV => /(congr1 ulsubmx); rewrite !block_mxKul => /matrixP/(_ 0 0)/eqP.
+by rewrite !mxE /= mulr1n pnatr_eq0.
+Qed.
 
 End Controls.
