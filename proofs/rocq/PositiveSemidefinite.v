@@ -273,13 +273,13 @@ move=> [_ pA] xA; apply/eqP/negPn/negP => /pA.
 by rewrite /form xA mul0mx mxE ltxx.
 Qed.
 
-(** Definite matrices are invertible, *)
+(** Definite matrices are invertible. *)
 Theorem pd_unit A : pd A -> A \in unitmx.
 Proof.
 move=> pA; rewrite -row_free_unit; apply/inj_row_free => x; exact: pd_free.
 Qed.
 
-(** and semidefinite ones that are invertible are definite. *)
+(** Semidefinite matrices that are invertible are definite. *)
 Theorem psd_unit_pd A : psd A -> A \in unitmx -> pd A.
 Proof.
 move=> pA uA; split=> [|x nx]; first exact: psd_sym.

@@ -118,8 +118,7 @@ apply: loewner_trans le _; rewrite -scalerBl addrK scale1r.
 exact: psd_filter_load.
 Qed.
 
-(** WG-T3.1: a filter that believes in noise N and covariance P, where the true noise is N' ⪯ cN and the true error
-    covariance E ⪯ cP, has after the step an error covariance of at most cP₊. *)
+(** WG-T3.1: a filter that believes in noise N and covariance P, where in truth N' ⪯ cN and E ⪯ cP, errs after the step by at most cP₊. *)
 Theorem wrong_noise (N' : 'M[R]_(d + m)) P E c : psd P -> N' ⪯ c *: filter_noise -> E ⪯ c *: P ->
   joseph F H N' E (riccati_gain F H filter_noise P) ⪯ c *: filter_step P.
 Proof.

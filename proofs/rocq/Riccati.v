@@ -110,11 +110,11 @@ Proof. by move=> pP; rewrite riccati_joseph // josephE. Qed.
 Theorem riccati_psd P : psd P -> psd (riccati P).
 Proof. by move=> pP; apply/schur_psd/psd_stack. Qed.
 
-(** EK-L3: every gain is an upper bound, *)
+(** EK-L3: every gain is an upper bound. *)
 Theorem riccati_upper P K : psd P -> riccati P ⪯ joseph P K.
 Proof. by move=> /psd_stack; apply: schur_optimal. Qed.
 
-(** EK-L3: and J(P, K) − φ(P) = (KΣ − Γ)Σ⁺(KΣ − Γ)ᵀ. *)
+(** EK-L3: J(P, K) − φ(P) = (KΣ − Γ)Σ⁺(KΣ − Γ)ᵀ. *)
 Theorem riccati_defect P K : psd P ->
   let Sigma := C *m P *m C^T + drsubmx N in let Gamma := A *m P *m C^T + ursubmx N in
   joseph P K - riccati P = (K *m Sigma - Gamma) *m Sigma^† *m (K *m Sigma - Gamma)^T.
@@ -153,7 +153,7 @@ move=> a0 a1 pP; have e : riccati 0 = schur N by rewrite /riccati /stack mulmx0 
 have := riccati_concave a0 a1 pP (psd0 R n); by rewrite scaler0 addr0 e.
 Qed.
 
-(** AK-T2.3-diff: φ(P) − φ(T) = D₁(P − T)D₂ᵀ with the closed loops D₁ of P and D₂ of T. *)
+(** EK-L4: the difference exactly: φ(P) − φ(T) = D₁(P − T)D₂ᵀ with the closed loops D₁ of P and D₂ of T. *)
 Theorem riccati_difference P T : psd P -> psd T ->
   riccati P - riccati T = closed (riccati_gain P) *m (P - T) *m (closed (riccati_gain T))^T.
 Proof.
@@ -253,11 +253,11 @@ rewrite arriving_schur JyxE // {2}arriving_xy_form; congr (_ - _ *m _).
 by rewrite linearD /= (trmx_mul D) (trmx_mul (predicted P)) !trmxK sR.
 Qed.
 
-(** CKS-4, SM-cone: both timings keep covariances semidefinite, *)
+(** SM-cone: the arriving timing too keeps covariances semidefinite. *)
 Theorem arriving_psd P : psd P -> psd (arriving P).
 Proof. by move=> pP; apply: riccati_psd => //; apply: psd_arriving_noise. Qed.
 
-(** EK-L4: and are monotone. *)
+(** EK-L4: the arriving timing too is monotone. *)
 Theorem arriving_mono P T : psd P -> P ⪯ T -> arriving P ⪯ arriving T.
 Proof. by move=> pP PT; apply: riccati_mono => //; apply: psd_arriving_noise. Qed.
 

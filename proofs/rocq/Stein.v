@@ -92,7 +92,7 @@ apply/row_matrixP=> i; rewrite row0; apply/eqP/negPn/negP => /(pSD2.2).
 by rewrite rowE -form_congr z form0 ltxx.
 Qed.
 
-(** If D1 and D2 are contractions, X − D1 X D2ᵀ = Q has at most one solution, *)
+(** If D1 and D2 are contractions, X − D1 X D2ᵀ = Q has at most one solution. *)
 Theorem stein_unique D1 D2 Q X Y : contraction D1 -> contraction D2 ->
   X = D1 *m X *m D2^T + Q -> Y = D1 *m Y *m D2^T + Q -> X = Y.
 Proof.
@@ -100,7 +100,7 @@ move=> c1 c2 eX eY; apply/eqP; rewrite -subr_eq0; apply/eqP/(stein_unique0 c1 c2
 by rewrite {1}eX {1}eY opprD addrACA subrr addr0 mulmxBr mulmxBl.
 Qed.
 
-(** and it has one. *)
+(** If D1 and D2 are contractions, X − D1 X D2ᵀ = Q has a solution. *)
 Theorem stein_exists D1 D2 Q : contraction D1 -> contraction D2 -> {X | X = D1 *m X *m D2^T + Q}.
 Proof.
 move=> c1 c2; pose M := 1%:M - lin_mx (mulmx D1) *m lin_mx (mulmxr D2^T).

@@ -94,11 +94,11 @@ move=> pS ST; have pT := psd_le pS ST; rewrite !andersonE //.
 by apply: riccati_mono => //; apply: psd_uncorrelated.
 Qed.
 
-(** AK-4.2, AK-5-compact: V ⪯ φ(S), whatever S ⪰ 0, *)
+(** AK-4.2, AK-5-compact: V ⪯ φ(S), whatever S ⪰ 0. *)
 Theorem anderson_lower S : psd S -> V ⪯ phi S.
 Proof. by move=> pS; rewrite /phi /anderson addrK; apply/psd_congruence/parallel_sum_psd. Qed.
 
-(** AK-4.2: φ(S) = A{W − W(S + W)⁺W}Aᵀ + V, *)
+(** AK-4.2: φ(S) = A{W − W(S + W)⁺W}Aᵀ + V. *)
 Theorem anderson_other_form S : psd S -> phi S = A *m (W - W *m (S + W)^† *m W) *m A^T + V.
 Proof.
 by move=> pS; rewrite /phi /anderson parallel_sumC // parallel_sum_subtractive // (addrC W S).
@@ -203,7 +203,7 @@ rewrite /riccati_gain anderson_stack gain_block (trmx_mul (A *m T)) sZ (trmx_mul
 by rewrite !mulmxA.
 Qed.
 
-(** AK-L4.3: V ≻ 0 and T = φ(T) make the closed loop a contraction, *)
+(** AK-L4.3: V ≻ 0 and T = φ(T) make T a certificate that the closed loop is stable: T − DTDᵀ ≻ 0. *)
 Theorem closed_loop_contraction T : psd T -> T = phi T -> contraction (anderson_closed A W T).
 Proof.
 move=> pT eT; rewrite -anderson_closedE; last exact: fixed_sum_unit.
@@ -224,7 +224,7 @@ move=> pS; elim: k => //= k IH; rewrite -IH -andersonE //.
 exact: iter_anderson_psd.
 Qed.
 
-(** AK-T2.3: and every orbit converges to it: from any S ⪯ bT, (1 − (1 − e)ᵏ)T ⪯ φᵏ(S) ⪯ (1 + (b − 1)(1 − e)ᵏ)T, where eT ⪯ V. *)
+(** AK-T2.3: every orbit converges to a fixed point T: from any S ⪯ bT, (1 − (1 − e)ᵏ)T ⪯ φᵏ(S) ⪯ (1 + (b − 1)(1 − e)ᵏ)T, where eT ⪯ V. *)
 Theorem anderson_convergence T e b S k : psd T -> T = phi T -> 0 < e -> e <= 1 -> e *: T ⪯ V ->
   psd S -> 1 <= b -> S ⪯ b *: T ->
   (1 - (1 - e) ^+ k) *: T ⪯ iter k phi S /\ iter k phi S ⪯ (1 + (b - 1) * (1 - e) ^+ k) *: T.
@@ -251,7 +251,7 @@ Hypotheses (pdV : pd V) (psdW : psd W) (pT : psd T) (eT : T = anderson A V W T).
 
 Let pV := pd_psd pdV.
 
-(** AK-4.2-sandwich: every φ(U) ⪯ U and L ⪯ φ(L) enclose the fixed point, *)
+(** AK-4.2-sandwich: every φ(U) ⪯ U and L ⪯ φ(L) enclose the fixed point. *)
 Theorem anderson_certificates L U : psd L -> psd U -> L ⪯ anderson A V W L -> anderson A V W U ⪯ U ->
   L ⪯ T /\ T ⪯ U.
 Proof.
@@ -267,7 +267,7 @@ Section Stability.
 Variables (R : rcfType) (n : nat) (A V W T : 'M[R]_n).
 Hypotheses (pdV : pd V) (psdW : psd W) (pT : psd T) (eT : T = anderson A V W T).
 
-(** AK-L4.3: so that ρ(D) < 1: every eigenvalue of D = AW(T + W)⁻¹ in R[i] is inside the unit circle. *)
+(** AK-L4.3: ρ(D) < 1: every eigenvalue of D = AW(T + W)⁻¹ in R[i] is inside the unit circle. *)
 Theorem closed_loop_stable (z : R[i]) :
   root (char_poly (map_mx (real_complex R) (anderson_closed A W T))) z -> `|z| < 1.
 Proof. by apply: contraction_eigenvalues; apply: closed_loop_contraction eT => //; apply: pd_psd. Qed.
