@@ -205,7 +205,7 @@ End Cone.
 Section Congruence.
 Variable R : realFieldType.
 
-(** SM-cone: covariance matrices stay covariance matrices under linear maps. *)
+(** Covariance matrices stay covariance matrices under linear maps. *)
 Theorem psd_congruence m n (C : 'M[R]_(m, n)) A : psd A -> psd (C *m A *m C^T).
 Proof. by case=> sA pA; split=> [|x]; [apply: tr_congr | rewrite form_congr]. Qed.
 

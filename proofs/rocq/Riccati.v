@@ -43,7 +43,7 @@ Lemma stack_blocks P :
   stack P = block_mx (A *m P *m A^T) (A *m P *m C^T) (C *m P *m A^T) (C *m P *m C^T) + N.
 Proof. by rewrite /stack mul_col_mx tr_col_mx mul_col_row. Qed.
 
-(** CKS-10, HV-P.c: the cross covariance is Γ = APCᵀ + S. *)
+(** HV-P.c: the cross covariance is Γ = APCᵀ + S. *)
 Theorem stack_xy P : Jxy (stack P) = A *m P *m C^T + ursubmx N.
 Proof. by rewrite stack_blocks JxyD /Jxy block_mxKur. Qed.
 
@@ -87,7 +87,7 @@ Theorem riccati_range P : psd P ->
   = A *m P *m C^T + ursubmx N.
 Proof. by move=> /psd_stack pJ; rewrite -stack_xy -stack_yy joint_range. Qed.
 
-(** HV-4, HV-5, HV-P.cov, WG-1: the map written out, APAᵀ + Q − ΓΣ⁺Γᵀ, with gain ΓΣ⁺. *)
+(** HV-4, HV-5, HV-P.cov: the map written out, APAᵀ + Q − ΓΣ⁺Γᵀ, with gain ΓΣ⁺. *)
 Theorem riccatiE P : psd P ->
   riccati P = A *m P *m A^T + ulsubmx N
     - riccati_gain P *m (A *m P *m C^T + ursubmx N)^T /\
@@ -97,11 +97,11 @@ move=> /psd_stack pJ; split; last by rewrite /riccati_gain /gain stack_xy stack_
 by rewrite /riccati /schur JyxE // -stack_xy -stack_xx.
 Qed.
 
-(** WG-52, HV-4: with the gain of the step, the form of Joseph is the map itself. *)
+(** EK-L1: with the gain of the step, the form of Joseph is the map itself. *)
 Theorem riccati_joseph P : psd P -> riccati P = joseph P (riccati_gain P).
 Proof. by move=> /psd_stack pJ; rewrite /joseph residual_gain. Qed.
 
-(** WG-52: for P ⪰ 0 the Lyapunov form, with the closed loop A − KC of the gain of the step. *)
+(** For P ⪰ 0 the Lyapunov form, with the closed loop A − KC of the gain of the step. *)
 Theorem riccati_lyapunov P : psd P ->
   riccati P = closed (riccati_gain P) *m P *m (closed (riccati_gain P))^T + residual N (riccati_gain P).
 Proof. by move=> pP; rewrite riccati_joseph // josephE. Qed.
@@ -190,6 +190,24 @@ move=> pN NN pP; apply: schur_mono; first exact: psd_stack.
 by rewrite /stack opprD addrACA subrr add0r.
 Qed.
 
+(** HV-X.da: with L = DF⁺ the noise D(I − F⁺F)w left over is uncorrelated with Fw, and its covariance is DDᵀ − L(DFᵀ)ᵀ. *)
+Theorem departing_as_arriving (R : realFieldType) n p q (D : 'M[R]_(n, q)) (F : 'M[R]_(p, q)) :
+  let L := D *m F^† in let E := D *m (1%:M - F^† *m F) in
+  [/\ L = D *m F^T *m (F *m F^T)^†, E *m F^T = 0 & E *m E^T = D *m D^T - L *m (D *m F^T)^T].
+Proof.
+case: (pseudo_inverseP F) => fxf xfx sfx sxf /=.
+have z : (1%:M - F^† *m F) *m F^T = 0.
+  apply: trmx_inj; rewrite trmx0 trmx_mul trmxK linearB /= trmx1 sxf.
+  by rewrite mulmxBr mulmx1 mulmxA fxf subrr.
+have s : (1%:M - F^† *m F)^T = 1%:M - F^† *m F by rewrite linearB /= trmx1 sxf.
+split; first by rewrite pseudo_inverse_gram mulmxA.
+  by rewrite -mulmxA z mulmx0.
+have i : (1%:M - F^† *m F) *m (1%:M - F^† *m F) = 1%:M - F^† *m F.
+  by rewrite {1}mulmxBl mul1mx mulmxBr mulmx1 mulmxA xfx subrr subr0.
+rewrite [(D *m (_ - _))^T]trmx_mul s mulmxA -(mulmxA D) i mulmxBr mulmx1 mulmxBl.
+by rewrite [(D *m F^T)^T]trmx_mul trmxK !mulmxA.
+Qed.
+
 (** The timing of CKS: x₊ = A x + D w, y = C x₊ + F w with noise w of covariance I. *)
 Section Arriving.
 Variables (R : realFieldType) (n p q : nat).
@@ -253,7 +271,7 @@ rewrite arriving_schur JyxE // {2}arriving_xy_form; congr (_ - _ *m _).
 by rewrite linearD /= (trmx_mul D) (trmx_mul (predicted P)) !trmxK sR.
 Qed.
 
-(** SM-cone: the arriving timing too keeps covariances semidefinite. *)
+(** The arriving timing too keeps covariances semidefinite. *)
 Theorem arriving_psd P : psd P -> psd (arriving P).
 Proof. by move=> pP; apply: riccati_psd => //; apply: psd_arriving_noise. Qed.
 

@@ -208,6 +208,26 @@ End Geometric.
 Lemma char_poly_tr (F : fieldType) n (A : 'M[F]_n) : char_poly A^T = char_poly A.
 Proof. by rewrite /char_poly /char_poly_mx -map_trmx -{1}(tr_scalar_mx _ 'X) -linearB det_tr. Qed.
 
+(** XY and YX have the same eigenvalues besides 0. *)
+Lemma eigenvalue_mulC (F : fieldType) n (X Y : 'M[F]_n) z : z != 0 -> eigenvalue (X *m Y) z -> eigenvalue (Y *m X) z.
+Proof.
+move=> nz /eigenvalueP[x ex nx]; apply/eigenvalueP; exists (x *m X).
+  by rewrite mulmxA -(mulmxA x) ex -scalemxAl.
+apply: contraNneq nx => xX; move/eqP: ex; rewrite mulmxA xX mul0mx eq_sym scaler_eq0 (negPf nz).
+by move=> /eqP ->.
+Qed.
+
+(** Modes that are not observed stay as they are: N has full column rank, AN = NΛ and HN = 0. *)
+Lemma unobservable_eigenvalue (F : fieldType) n p r (A : 'M[F]_n) (H : 'M[F]_(p, n)) (N : 'M[F]_(n, r)) L K z :
+  row_free N^T -> A *m N = N *m L -> H *m N = 0 ->
+  root (char_poly L) z -> root (char_poly (A - K *m H)) z.
+Proof.
+move=> fN AN HN; rewrite -char_poly_tr -[X in _ -> root X z]char_poly_tr -!eigenvalue_root_char.
+move=> /eigenvalueP[x ex nx]; apply/eigenvalueP; exists (x *m N^T).
+  by rewrite -mulmxA -trmx_mul mulmxBl -mulmxA HN mulmx0 subr0 AN [(N *m L)^T]trmx_mul mulmxA ex scalemxAl.
+by apply: contraNneq nx => xN; apply/eqP/(row_free_inj fN); rewrite xN mul0mx.
+Qed.
+
 (** The eigenvector, in its real and imaginary parts u and v: Dᵀx = (a + ib)x with x = u + iv. *)
 Section Eigenvector.
 Variables (R : realFieldType) (n : nat).
@@ -272,6 +292,19 @@ Theorem contraction_eigenvalues (D : 'M[R]_n) : contraction D ->
 Proof.
 case=> T pT pTD z; rewrite -char_poly_tr map_trmx; apply: (stein_lemma pT).
 by rewrite trmxK.
+Qed.
+
+(** EK-T7a: AN = NΛ, HN = 0 with N of full column rank make every eigenvalue of Λ one of A − KH, whatever K, hence ρ(A − KH) ≥ ρ(Λ). *)
+Theorem unobservable_modes p r (A : 'M[R]_n) (H : 'M[R]_(p, n)) (N : 'M[R]_(n, r)) L K (z : R[i]) :
+  row_free N^T -> A *m N = N *m L -> H *m N = 0 ->
+  root (char_poly (map_mx (real_complex R) L)) z ->
+  root (char_poly (map_mx (real_complex R) (A - K *m H))) z.
+Proof.
+move=> fN AN HN rz; rewrite map_mxB map_mxM.
+apply: (unobservable_eigenvalue (N := map_mx (real_complex R) N) _ _ _ _ rz).
+- by rewrite map_trmx row_free_map.
+- by rewrite -!map_mxM AN.
+by rewrite -map_mxM HN map_mx0.
 Qed.
 
 End Disc.

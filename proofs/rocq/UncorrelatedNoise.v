@@ -272,4 +272,13 @@ Theorem closed_loop_stable (z : R[i]) :
   root (char_poly (map_mx (real_complex R) (anderson_closed A W T))) z -> `|z| < 1.
 Proof. by apply: contraction_eigenvalues; apply: closed_loop_contraction eT => //; apply: pd_psd. Qed.
 
+(** AK-5-rho: ρ(G) < 1 for the transition G = W(T + W)⁻¹A of the filter in the limit. *)
+Theorem filter_transition_stable (z : R[i]) :
+  root (char_poly (map_mx (real_complex R) (W *m (T + W)^† *m A))) z -> `|z| < 1.
+Proof.
+have [-> _|nz] := eqVneq z 0; first by rewrite normr0 ltr01.
+rewrite -eigenvalue_root_char map_mxM => /(eigenvalue_mulC nz).
+by rewrite -map_mxM mulmxA eigenvalue_root_char; apply: closed_loop_stable.
+Qed.
+
 End Stability.
