@@ -190,24 +190,6 @@ move=> pN NN pP; apply: schur_mono; first exact: psd_stack.
 by rewrite /stack opprD addrACA subrr add0r.
 Qed.
 
-(** HV-X.da: with L = DF⁺ the noise D(I − F⁺F)w left over is uncorrelated with Fw, and its covariance is DDᵀ − L(DFᵀ)ᵀ. *)
-Theorem departing_as_arriving (R : realFieldType) n p q (D : 'M[R]_(n, q)) (F : 'M[R]_(p, q)) :
-  let L := D *m F^† in let E := D *m (1%:M - F^† *m F) in
-  [/\ L = D *m F^T *m (F *m F^T)^†, E *m F^T = 0 & E *m E^T = D *m D^T - L *m (D *m F^T)^T].
-Proof.
-case: (pseudo_inverseP F) => fxf xfx sfx sxf /=.
-have z : (1%:M - F^† *m F) *m F^T = 0.
-  apply: trmx_inj; rewrite trmx0 trmx_mul trmxK linearB /= trmx1 sxf.
-  by rewrite mulmxBr mulmx1 mulmxA fxf subrr.
-have s : (1%:M - F^† *m F)^T = 1%:M - F^† *m F by rewrite linearB /= trmx1 sxf.
-split; first by rewrite pseudo_inverse_gram mulmxA.
-  by rewrite -mulmxA z mulmx0.
-have i : (1%:M - F^† *m F) *m (1%:M - F^† *m F) = 1%:M - F^† *m F.
-  by rewrite {1}mulmxBl mul1mx mulmxBr mulmx1 mulmxA xfx subrr subr0.
-rewrite [(D *m (_ - _))^T]trmx_mul s mulmxA -(mulmxA D) i mulmxBr mulmx1 mulmxBl.
-by rewrite [(D *m F^T)^T]trmx_mul trmxK !mulmxA.
-Qed.
-
 (** The timing of CKS: x₊ = A x + D w, y = C x₊ + F w with noise w of covariance I. *)
 Section Arriving.
 Variables (R : realFieldType) (n p q : nat).
