@@ -1,4 +1,4 @@
-//! Harnesses on finite fields: replayed natively over their whole domain, and written for Kani.
+//! Harnesses on small domains: replayed natively over all inputs, or random ones, and written for Kani.
 //!
 //! Run natively they are exhaustive tests, not proofs; see `proofs/README.md`.
 
@@ -7,6 +7,8 @@ mod covariance;
 mod determinant;
 mod fraction_free;
 mod harness;
+#[cfg(feature = "judge")]
+mod literals;
 mod matrices;
 mod prime_field;
 mod pseudo_inverse;
@@ -14,4 +16,6 @@ mod ratio;
 mod rational;
 mod residue;
 mod rounding;
+#[cfg(feature = "float")]
+mod scalar_riccati;
 mod update;

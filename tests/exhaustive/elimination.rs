@@ -117,7 +117,7 @@ fn eliminations_over_the_rationals() {
 ///
 /// Domain: all 3×3 matrices over {−2, …, 2} and modulo 5.
 #[test]
-#[ignore = "a quarter of an hour: cargo test --release --no-default-features --test exhaustive -- --ignored"]
+#[ignore = "five minutes: cargo test --no-default-features --test exhaustive -- --ignored"]
 fn eliminations_of_order_three() {
     assert_eq!(census(3, 3, &integers(2)).iter().sum::<usize>(), 1_953_125);
     assert_eq!(census(3, 3, &residues::<5>()), number_of_rank(5, 3, 3));

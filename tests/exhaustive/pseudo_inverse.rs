@@ -142,7 +142,7 @@ fn over_fields_it_exists_iff_ranks_agree() {
 ///
 /// Domain: all 2×3 matrices modulo 7, all 3×3 matrices modulo 5.
 #[test]
-#[ignore = "minutes: cargo test --release --no-default-features --test exhaustive -- --ignored"]
+#[ignore = "half a minute: cargo test --no-default-features --test exhaustive -- --ignored"]
 fn over_larger_fields_it_exists_iff_ranks_agree() {
     assert_eq!(by_ranks::<7>(2, 3).iter().sum::<usize>(), 117_649);
     assert_eq!(by_ranks::<5>(3, 3).iter().sum::<usize>(), 1_953_125);
