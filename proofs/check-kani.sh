@@ -18,5 +18,8 @@ rustc --edition 2024 --crate-type rlib --crate-name kani -L "$stub" --extern kan
 
 # Flags after the dashes reach the harnesses only: some dependencies have a `cfg(kani)` of their own.
 # `-C metadata` keeps the result apart from that of the native run.
-cargo rustc --profile check --no-default-features --test proofs -- \
-    --cfg kani --extern "kani=$stub/libkani.rlib" -L "dependency=$stub" -C metadata=kani -D warnings
+# `judge` adds the harnesses on doubles and on literals.
+for features in "" judge; do
+    cargo rustc --profile check --no-default-features --features "$features" --test proofs -- \
+        --cfg kani --extern "kani=$stub/libkani.rlib" -L "dependency=$stub" -C metadata=kani -D warnings
+done

@@ -15,7 +15,9 @@ fn leibniz<const P: u64>(a: &Matrix<Residue<P>>) -> Residue<P> {
 }
 
 harness! {
-    /// All 3×3 matrices over the field of three elements, with zero pivots wherever they can stand.
+    /// The last pivot is the sum over all permutations, with zero pivots wherever they can stand.
+    ///
+    /// Domain: all 3×3 matrices modulo 3.
     bareiss_is_leibniz, unwind 12, Replays::All(19_683),
     covers ["singular", "regular", "regular with a zero first pivot"], {
         let a = matrix::<3>(3, 3);
@@ -30,6 +32,8 @@ harness! {
 
 harness! {
     /// The number of pivots is the order of the largest nonzero minor.
+    ///
+    /// Domain: all 2×2 matrices modulo 5.
     rank_is_that_of_minors, unwind 10, Replays::All(625), covers ["rank 0", "rank 1", "rank 2"], {
         let a = matrix::<5>(2, 2);
         let expected = rank_by_minors(&a);

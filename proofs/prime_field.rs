@@ -58,6 +58,8 @@ harness! {
 
 harness! {
     /// `a b − c d` at the ends of the forms, where the sum of both products is the longest.
+    ///
+    /// Domain: all quadruples of six words at the ends and in the middle, modulo 2⁶² − 57.
     minors_do_not_overflow, unwind 12, Replays::All(6 * 6 * 6 * 6),
     covers ["the longest sum", "a difference below zero", "nothing is subtracted"], {
         let field = PrimeField::new(LARGEST);
@@ -74,6 +76,8 @@ harness! {
 
 harness! {
     /// Sums of up to nine products, which are folded after every fourth, with the largest forms wherever they can stand.
+    ///
+    /// Domain: all sums of at most nine products of 1 or the largest form with the largest, modulo 2⁶² − 57.
     inner_products_do_not_overflow, unwind 12, Replays::All((1 << 10) - 1),
     covers ["nothing to add", "the longest sum", "something is left after folding twice"], {
         let field = PrimeField::new(LARGEST);

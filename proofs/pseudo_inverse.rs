@@ -25,7 +25,9 @@ fn checked<const P: u64>(p: &Matrix<Residue<P>>) -> Option<Matrix<Residue<P>>> {
 }
 
 harness! {
-    /// All 2×2 matrices modulo 2.
+    /// HV-L3, CKS-L3-pinv over a field: it exists iff rank P = rank PPᵀ = rank PᵀP, and obeys the four equations.
+    ///
+    /// Domain: all 2×2 matrices modulo 2.
     pseudo_inverse_modulo_2, unwind 10, Replays::All(16),
     covers ["exists at rank 1", "exists at rank 2", "does not exist"], {
         let p = matrix::<2>(2, 2);
@@ -37,7 +39,10 @@ harness! {
 }
 
 harness! {
-    /// All 2×2 matrices modulo 3: every one has a pseudo-inverse.
+    /// HV-L3, CKS-L3-pinv over a field: it exists iff rank P = rank PPᵀ = rank PᵀP, and obeys the four equations;
+    /// here every matrix has one.
+    ///
+    /// Domain: all 2×2 matrices modulo 3.
     pseudo_inverse_modulo_3, unwind 10, Replays::All(81), covers ["rank 0", "rank 1", "rank 2"], {
         let p = matrix::<3>(2, 2);
         assert!(checked(&p).is_some());
@@ -48,7 +53,9 @@ harness! {
 }
 
 harness! {
-    /// All 2×2 matrices modulo 5.
+    /// HV-L3, CKS-L3-pinv over a field: it exists iff rank P = rank PPᵀ = rank PᵀP, and obeys the four equations.
+    ///
+    /// Domain: all 2×2 matrices modulo 5.
     pseudo_inverse_modulo_5, unwind 10, Replays::All(625),
     covers ["exists at rank 1", "exists at rank 2", "does not exist"], {
         let p = matrix::<5>(2, 2);

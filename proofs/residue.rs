@@ -19,7 +19,9 @@ fn agrees<const P: u64>(a: u64, b: u64) {
 }
 
 harness! {
-    /// Every pair modulo 127.
+    /// The four operations.
+    ///
+    /// Domain: all pairs modulo 127.
     residues_are_machine_integers, unwind 66, Replays::All(127 * 127),
     covers ["the sum wraps", "the difference wraps", "division by zero"], {
         let (a, b) = (below(127), below(127));

@@ -133,7 +133,9 @@ fn mul(x: F, y: F) -> F {
 }
 
 harness! {
-    /// Noise shared with the transition that arrives: `S = c²R + f² + 2cdf`, `K = (Rc + df) S⁺`, `P = R − K(cR + fd)`.
+    /// CKS-3, CKS-4, CKS-K, CKS-R for scalars: noise shared with the transition that arrives: `S = c²R + f² + 2cdf`, `K = (Rc + df) S⁺`, `P = R − K(cR + fd)`.
+    ///
+    /// Domain: all a, c, d, f, P, x̂, y modulo 5.
     arriving_update_is_the_formula, unwind 12, Replays::All(78_125), covers ["regular", "singular", "contradiction"], {
         let q = Question::any();
         let r = add(mul(mul(q.a, q.a), q.variance), mul(q.d, q.d));
@@ -162,7 +164,9 @@ harness! {
 }
 
 harness! {
-    /// Noise shared with the transition that departs: `S = c²P + f²`, `K₊ = (aPc + df) S⁺`, `P₊ = a²P + d² − K₊²S`.
+    /// HV-3, HV-4, HV-5 for scalars: noise shared with the transition that departs: `S = c²P + f²`, `K₊ = (aPc + df) S⁺`, `P₊ = a²P + d² − K₊²S`.
+    ///
+    /// Domain: all a, c, d, f, P, x̂, y modulo 5.
     departing_update_is_the_formula, unwind 12, Replays::All(78_125), covers ["regular", "singular", "contradiction"], {
         let q = Question::any();
         let gamma = mul(q.variance, q.c);

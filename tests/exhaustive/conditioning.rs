@@ -2,10 +2,10 @@
 
 use exact_kalman::gaussian::{ConditionError, Gaussian};
 use exact_kalman::matrix::Matrix;
-use exact_kalman::scalar::{Rational, Scalar, ratio};
+use exact_kalman::scalar::{Rational, Residue, Scalar, ratio};
 
-use crate::minors::{choices, determinant, principal, rank};
-use crate::worlds::{matrices, signs, symmetric};
+use crate::minors::{choices, determinant, rank};
+use crate::worlds::{self, matrices, residues, signs, symmetric};
 
 type Q = Matrix<Rational>;
 
@@ -18,12 +18,10 @@ struct Census {
     refused: usize,
 }
 
-/// The positive semidefinite matrices of order 3: all with entries −1, 0, 1, and all L Lᵀ of rank at most 2.
+/// The positive semidefinite matrices of order 3: all with entries −2, …, 2, and all L Lᵀ with L of size 3×2 over {−1, 0, 1}.
 fn covariances() -> Vec<Q> {
-    let semidefinite = |p: &Q| (1..=3).all(|order| principal(p, order).iter().all(|minor| *minor >= ratio(0, 1)));
-    let signs = signs();
-    let small = symmetric(3, &signs).filter(semidefinite);
-    let mut all: Vec<Q> = small.chain(matrices(3, 2, &signs).map(|factor| &factor * factor.transpose())).collect();
+    let mut all = worlds::covariances(3, 2);
+    all.extend(matrices(3, 2, &signs()).map(|factor| &factor * factor.transpose()));
     all.sort_by_key(|p| p.entries().to_vec());
     all.dedup();
     all
@@ -97,12 +95,14 @@ fn check(p: &Q, observed: &[usize], innovation: &Q, census: &mut Census) {
     }
 }
 
-/// CKS-L3i, CKS-L3ii: mean and covariance as quotients of minors, K P_yy = P_xy (so nothing is left of P_xy), psd results and
-/// refusals, on all small covariances, singular ones above all.
+/// CKS-L3i, CKS-L3ii, HV-L3-mean, HV-L3-cov: mean and covariance as quotients of minors, K P_yy = P_xy (so nothing is left of
+/// P_xy), psd results and refusals.
+///
+/// Domain: all 3×3 covariances over {−2, …, 2} and all LLᵀ, L 3×2 over {−1, 0, 1}; one or two entries observed (four choices), ν over {−1, 0, 1}.
 #[test]
 fn conditioning_is_regression_on_a_basis_of_what_is_observed() {
     let covariances = covariances();
-    assert!(covariances.len() > 100, "{}", covariances.len());
+    assert_eq!(covariances.len(), COVARIANCES);
     let mut census = Census::default();
     let mut asked = 0;
     for p in &covariances {
@@ -117,6 +117,58 @@ fn conditioning_is_regression_on_a_basis_of_what_is_observed() {
     assert_eq!(census.regular + census.singular + census.zero + census.refused, asked);
     assert_eq!(asked, covariances.len() * (3 + 3 + 9 + 9));
     assert!(census.regular > 1000 && census.singular > 100 && census.zero > 10 && census.refused > 500, "{census:?}");
+}
+
+/// How many covariances there are in that world.
+const COVARIANCES: usize = 241;
+
+/// What was met: given, given with P_xy outside the range of P_yy (as for no covariance), refused, without a pseudo-inverse.
+fn searched<const P: u64>() -> [usize; 4] {
+    let vectors: Vec<Matrix<Residue<P>>> = matrices(2, 1, &residues::<P>()).collect();
+    let mut counts = [0; 4];
+    for p in symmetric(3, &residues::<P>()) {
+        let law = Gaussian::new(Matrix::zeros(3, 1), p.clone()).unwrap_or_else(|error| panic!("{error}"));
+        let (yy, yx) = (p.select(&[1, 2], &[1, 2]), p.select(&[1, 2], &[0]));
+        let images: Vec<_> = vectors.iter().map(|vector| &yy * vector).collect();
+        let gains: Vec<_> = vectors.iter().zip(&images).filter(|(_, image)| **image == yx).map(|(k, _)| k).collect();
+        let exists = rank(&(&yy * &yy)) == rank(&yy);
+        for innovation in &vectors {
+            let consistent = images.contains(innovation);
+            match law.conditioned(&[1, 2], innovation) {
+                Ok(given) => {
+                    assert!(exists && consistent, "{p:?} at {innovation:?}");
+                    for gain in &gains {
+                        let gain = gain.transpose();
+                        assert_eq!(*given.law.mean(), &gain * innovation, "{p:?} at {innovation:?}");
+                        assert_eq!(*given.law.covariance(), p.select(&[0], &[0]) - gain * &yx, "{p:?}");
+                    }
+                    counts[usize::from(gains.is_empty())] += 1;
+                }
+                Err(ConditionError::Inconsistent(proof)) => {
+                    assert!(exists && !consistent && (&yy * proof.direction).is_zero(), "{p:?} at {innovation:?}");
+                    counts[2] += 1;
+                }
+                Err(ConditionError::PseudoInverse(_)) => {
+                    assert!(!exists, "{p:?}");
+                    counts[3] += 1;
+                }
+                Err(ConditionError::Diffuse) => panic!("nothing is diffuse"),
+            }
+        }
+    }
+    counts
+}
+
+/// CKS-L3i over fields: every K with K P_yy = P_xy, found by trying all, gives the mean and the covariance that are found; data
+/// outside the range of P_yy are refused, and so is P_yy where rank P_yy² < rank P_yy.
+///
+/// Domain: all symmetric 3×3 matrices modulo 3 and 5, the last two entries observed with every innovation.
+#[test]
+fn conditioning_over_fields_is_what_every_gain_says() {
+    let counts = [searched::<3>(), searched::<5>()];
+    assert_eq!(counts.map(|counts| counts.iter().sum::<usize>()), [729 * 9, 15_625 * 25]);
+    assert!(counts[0][..3].iter().all(|&count| count > 400) && counts[0][3] == 0, "{counts:?}");
+    assert!(counts[1].iter().all(|&count| count > 5000), "{counts:?}");
 }
 
 /// Nothing is observed: nothing changes.

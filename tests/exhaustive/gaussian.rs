@@ -24,6 +24,8 @@ fn dot(left: &[Rational], right: &[Rational]) -> Rational {
 }
 
 /// CKS-L2i, entry by entry: E(AX + b) = A X̂ + b and cov(AX + b) = A P Aᵀ.
+///
+/// Domain: all symmetric 2×2 matrices P and all 2×2 matrices A over {−1, 0, 1}, one mean and one b.
 #[test]
 fn affine_images_have_the_moments_of_the_lemma() {
     let mut count = 0;
@@ -45,6 +47,8 @@ fn affine_images_have_the_moments_of_the_lemma() {
 }
 
 /// CKS-2, CKS-L2.image: `exp(iλᵀX̂ − ½ λᵀPλ)`, and under an affine map λᵀ(AX + b) = (Aᵀλ)ᵀX + λᵀb.
+///
+/// Domain: all symmetric 2×2 matrices P, all 2×2 matrices A and all λ over {−1, 0, 1}, one mean and one b.
 #[test]
 fn characteristic_exponents_follow_affine_maps() {
     let mut count = 0;
@@ -68,6 +72,8 @@ fn characteristic_exponents_follow_affine_maps() {
 }
 
 /// CKS-L2ii: parts are independent iff their cross covariance vanishes, iff no value of one moves the law of the other.
+///
+/// Domain: all covariances LLᵀ, L 3×2 over {−1, 0, 1}, the first entry against the other two.
 #[test]
 fn independence_is_a_vanishing_cross_covariance() {
     let mut counts = [0; 2];
@@ -94,9 +100,13 @@ fn independence_is_a_vanishing_cross_covariance() {
 
 /// CKS-L2.product: the exponent at (λ, μ) is the sum of those at λ and at μ for all λ and μ iff the cross covariance
 /// vanishes.
+///
+/// Domain: all symmetric 3×3 matrices over {−1, 0, 1}, λ = 1 and all μ over {−1, 0, 1}.
 #[test]
 fn exponents_add_iff_the_cross_covariance_vanishes() {
+    let mut count = 0;
     for p in symmetric(3, &signs()) {
+        count += 1;
         let vanishes = p[(0, 1)] == ratio(0, 1) && p[(0, 2)] == ratio(0, 1);
         let joint = law(p);
         let (x, y) = (joint.marginal(&[0]), joint.marginal(&[1, 2]));
@@ -109,6 +119,7 @@ fn exponents_add_iff_the_cross_covariance_vanishes() {
         let one = Matrix::identity(1);
         assert_eq!(matrices(2, 1, &signs()).all(|mu| adds(&one, &mu)), vanishes);
     }
+    assert_eq!(count, 729);
 }
 
 /// The joint law of independent vectors, and the standard law.

@@ -1,4 +1,4 @@
-//! Small worlds, exhausted: every matrix of a small size over {−1, 0, 1} or a small field.
+//! Small worlds, exhausted: every matrix of a small size over {−2, …, 2} or a small field.
 //!
 //! Expectations come from minors (Laplace's expansion), adjugates and enumeration, never from the crate's own
 //! elimination; every test counts what it covered.
@@ -6,11 +6,13 @@
 mod conditioning;
 mod definiteness;
 mod elimination;
+mod filter;
 mod gaussian;
 mod minors;
 mod modes;
 mod parallel_sum;
 mod pseudo_inverse;
+mod riccati;
 mod spectral_radius;
 mod symmetric_power;
 mod worlds;

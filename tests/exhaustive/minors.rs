@@ -1,7 +1,7 @@
 //! Determinants by Laplace's expansion, and what they say about rank, inverse and definiteness.
 
 use exact_kalman::matrix::Matrix;
-use exact_kalman::scalar::{Field, Scalar};
+use exact_kalman::scalar::{Field, OrderedField, Scalar};
 
 /// The determinant, expanded along the first row; one for the 0×0 matrix.
 pub fn determinant<S: Scalar>(a: &Matrix<S>) -> S {
@@ -39,12 +39,35 @@ pub fn principal<S: Scalar>(a: &Matrix<S>, order: usize) -> Vec<S> {
     choices(a.rows(), order).iter().map(|choice| determinant(&a.select(choice, choice))).collect()
 }
 
+/// Positive semidefinite: all principal minors are nonnegative, not only the leading ones.
+pub fn is_semidefinite<S: OrderedField>(p: &Matrix<S>) -> bool {
+    (1..=p.rows()).all(|order| principal(p, order).iter().all(|minor| *minor >= S::zero()))
+}
+
 /// The adjugate: A · adj A = det A · I.
 pub fn adjugate<S: Scalar>(a: &Matrix<S>) -> Matrix<S> {
     let without = |i: usize| (0..a.rows()).filter(|&k| k != i).collect::<Vec<_>>();
     Matrix::from_fn(a.rows(), a.rows(), |i, j| {
         let minor = determinant(&a.select(&without(j), &without(i)));
         if (i + j) % 2 == 0 { minor } else { minor.negated() }
+    })
+}
+
+/// The generalised Schur complement `A − B D⁻ Bᵀ` of a symmetric matrix [[A, B], [Bᵀ, D]] by quotients of minors:
+/// det [[aᵢⱼ, bᵢ], [bⱼᵀ, D]] / det D, D cut down to rows and columns that are independent and as many as its rank.
+pub fn schur_complement<S: Field>(whole: &Matrix<S>, kept: &[usize], removed: &[usize]) -> Matrix<S> {
+    let parts = (0..=removed.len()).rev().flat_map(|count| choices(removed.len(), count));
+    let mut regular = parts.filter_map(|choice| {
+        let part: Vec<usize> = choice.iter().map(|&i| removed[i]).collect();
+        let minor = determinant(&whole.select(&part, &part));
+        (!minor.is_zero()).then_some((part, minor))
+    });
+    // The empty part has the minor 1.
+    let Some((part, minor)) = regular.next() else { unreachable!() };
+    let with = |i: usize| [&[i], part.as_slice()].concat();
+    Matrix::from_fn(kept.len(), kept.len(), |i, j| {
+        let bordered = determinant(&whole.select(&with(kept[i]), &with(kept[j])));
+        bordered.over(&minor).unwrap_or_else(|error| panic!("{error}"))
     })
 }
 

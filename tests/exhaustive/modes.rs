@@ -53,8 +53,9 @@ fn sees(
     follows[mode].iter().all(|&mode| sees(pair, follows, mode, left - 1, next, gramian))
 }
 
-/// WG-A1: the smallest h of all 4096 pairs of modes, free to follow each other, alternating, or with one of them
-/// lasting, is that of all determinants; where none is found up to six steps there is none.
+/// WG-A1: the smallest h is that of all determinants; where none is found up to six steps there is none.
+///
+/// Domain: all pairs of modes with F 2×2 and H 1×2 over {0, 1}, free to follow each other, alternating, or one of them lasting.
 #[test]
 fn smallest_windows_of_pairs_of_modes() {
     let half = || ratio(1, 2);

@@ -1,25 +1,15 @@
-//! Lemma 4.1 on all small integer positive semidefinite matrices of order 2.
+//! Lemma 4.1 on small integer positive semidefinite matrices, singular ones above all, and the formula modulo primes.
 
 use exact_kalman::matrix::Matrix;
-use exact_kalman::scalar::{Rational, ratio};
+use exact_kalman::scalar::{Field, Rational, Residue, ratio};
 
-use crate::minors::{adjugate, determinant, principal, rank};
-use crate::worlds::symmetric;
+use crate::minors::{adjugate, determinant, is_semidefinite, rank, schur_complement};
+use crate::worlds::{covariances, matrices, residues, signs, symmetric};
 
 type Q = Matrix<Rational>;
 
-fn is_semidefinite(p: &Q) -> bool {
-    (1..=p.rows()).all(|order| principal(p, order).iter().all(|minor| *minor >= ratio(0, 1)))
-}
-
-/// All positive semidefinite matrices of order 2 with integer entries of at most `bound`.
-fn world(bound: i64) -> Vec<Q> {
-    let entries: Vec<_> = (-bound..=bound).map(|entry| ratio(entry, 1)).collect();
-    symmetric(2, &entries).filter(is_semidefinite).collect()
-}
-
 /// The pseudo-inverse of a semidefinite matrix of order 2: by the adjugate if it is regular, P/(tr P)² if its rank is one.
-fn pseudo_inverse(p: &Q) -> Q {
+pub fn pseudo_inverse(p: &Q) -> Q {
     let (determinant, trace) = (determinant(p), &p[(0, 0)] + &p[(1, 1)]);
     let zero = ratio(0, 1);
     if determinant != zero {
@@ -36,9 +26,11 @@ fn sum(f: &Q, g: &Q) -> Q {
 }
 
 /// AK-Par, AK-L4.1, AK-L4.1ii, AK-L4.1iv, AK-Par-inverse: every pair, singular ones included, by the formula written out.
+///
+/// Domain: all pairs of positive semidefinite 2×2 matrices over {−3, …, 3}.
 #[test]
 fn parallel_sums_of_all_pairs() {
-    let world = world(3);
+    let world = covariances(2, 3);
     let mut counts = [0; 3];
     for f in &world {
         for g in &world {
@@ -64,9 +56,11 @@ fn parallel_sums_of_all_pairs() {
 }
 
 /// AK-L4.1iii: every triple F ≤ H, G.
+///
+/// Domain: all triples F ≤ H, G of positive semidefinite 2×2 matrices over {−2, …, 2}.
 #[test]
 fn parallel_sums_are_monotone_on_all_triples() {
-    let world = world(2);
+    let world = covariances(2, 2);
     assert_eq!(world.len(), 19);
     let mut count = 0;
     for f in &world {
@@ -77,5 +71,102 @@ fn parallel_sums_are_monotone_on_all_triples() {
             }
         }
     }
-    assert!(count > 1500, "{count}");
+    // 80 pairs F ≤ H.
+    assert_eq!(count, 80 * 19);
+}
+
+/// AK-Par, AK-L4.1ii, AK-L4.1iv: F:G is the Schur complement of F + G in [[F, F], [F, F + G]], entry by entry a quotient of
+/// minors, also where F + G is singular.
+///
+/// Domain: all pairs of positive semidefinite 3×3 matrices over {−1, 0, 1} or of the form LLᵀ, L of size 3×1 over {−1, 0, 1}.
+#[test]
+fn parallel_sums_of_order_three_are_schur_complements() {
+    let signs = signs();
+    let grams = matrices(3, 1, &signs).map(|factor| &factor * factor.transpose());
+    let mut world: Vec<Q> = covariances(3, 1).into_iter().chain(grams).collect();
+    world.sort_by_key(|p| p.entries().to_vec());
+    world.dedup();
+    let mut counts = [0; 4];
+    for f in &world {
+        for g in &world {
+            let total = f + g;
+            let whole = f.beside(f).above(&f.beside(&total));
+            let expected = schur_complement(&whole, &[0, 1, 2], &[3, 4, 5]);
+            assert_eq!(sum(f, g), expected, "{f} and {g}");
+            assert!(is_semidefinite(&expected) && is_semidefinite(&(f - &expected)));
+            assert_eq!(expected, sum(g, f));
+            counts[rank(&total)] += 1;
+        }
+    }
+    println!("{} {counts:?}", world.len());
+    assert_eq!(counts.iter().sum::<usize>(), world.len() * world.len());
+    assert!(counts[1] > 10 && counts[2] > 200 && counts[3] > 200, "{counts:?}");
+}
+
+/// AK-L4.1i, with its modulus: where F + G > 0 and both are raised by at most εI, F:G rises, by at most ε(GM²G + FM²F).
+///
+/// Domain: all pairs of positive semidefinite 2×2 matrices over {−2, …, 2} with a regular sum, ε = 1, 1/8, 1/64.
+#[test]
+fn parallel_sums_move_no_farther_than_their_modulus() {
+    let world = covariances(2, 2);
+    let mut counts = [0; 2];
+    for (f, g) in world.iter().flat_map(|f| world.iter().map(move |g| (f, g))) {
+        let total = f + g;
+        if determinant(&total) == ratio(0, 1) {
+            counts[0] += 1;
+            continue;
+        }
+        let inverse = adjugate(&total).scaled(&determinant(&total).recip());
+        let (left, right) = (&inverse * f, &inverse * g);
+        let modulus = left.transpose() * &left + right.transpose() * &right;
+        for epsilon in [1, 8, 64].map(|parts| ratio(1, parts)) {
+            let raised = Q::identity(2).scaled(&epsilon);
+            let risen = sum(&(f + &raised), &(g + &raised)) - sum(f, g);
+            assert!(is_semidefinite(&risen) && is_semidefinite(&(modulus.scaled(&epsilon) - risen)), "{f} and {g}");
+        }
+        counts[1] += 1;
+    }
+    assert_eq!(counts[0] + counts[1], 19 * 19);
+    assert!(counts[0] > 20 && counts[1] > 200, "{counts:?}");
+}
+
+/// F(F + G)⁺G of every pair of symmetric matrices, with (F + G)⁺ by trying all matrices; how many have none, one at a singular
+/// sum, and one at a regular sum.
+fn modulo<const P: u64>() -> [usize; 3] {
+    let symmetric: Vec<Matrix<Residue<P>>> = symmetric(2, &residues::<P>()).collect();
+    // S⁺ is symmetric where S is: trying the symmetric ones is enough.
+    let obeys = |s: &Matrix<Residue<P>>, x: &Matrix<Residue<P>>| {
+        s * x * s == *s && x * s * x == *x && (s * x).asymmetry().is_none() && (x * s).asymmetry().is_none()
+    };
+    let tried: Vec<_> = symmetric.iter().map(|s| (s, symmetric.iter().find(|x| obeys(s, x)))).collect();
+    let mut counts = [0; 3];
+    for (f, g) in symmetric.iter().flat_map(|f| symmetric.iter().map(move |g| (f, g))) {
+        let total = f + g;
+        let Some((_, inverse)) = tried.iter().find(|(s, _)| **s == total) else { panic!("sums are symmetric") };
+        match (f.parallel_sum(g), inverse) {
+            (Ok(found), Some(inverse)) => {
+                assert_eq!(found, f * *inverse * g, "{f:?} and {g:?}");
+                let regular = !determinant(&total).is_zero();
+                if regular {
+                    assert!(found == g * *inverse * f && found == f - f * *inverse * f);
+                }
+                counts[1 + usize::from(regular)] += 1;
+            }
+            (Err(_), None) => counts[0] += 1,
+            (found, inverse) => panic!("{f:?} and {g:?}: {found:?}, but {inverse:?}"),
+        }
+    }
+    counts
+}
+
+/// AK-Par, AK-L4.1ii, AK-L4.1iv over fields: the formula with a pseudo-inverse that is found by trying; where F + G is regular it is
+/// symmetric in F and G, and F − F(F + G)⁻¹F.
+///
+/// Domain: all pairs of symmetric 2×2 matrices modulo 3 and 5.
+#[test]
+fn parallel_sums_modulo_primes() {
+    let counts = [modulo::<3>(), modulo::<5>()];
+    assert_eq!(counts.map(|counts| counts.iter().sum::<usize>()), [27 * 27, 125 * 125]);
+    assert_eq!(counts[0][0], 0, "modulo 3 every symmetric 2×2 matrix has a pseudo-inverse");
+    assert!(counts[1].iter().all(|&count| count > 500), "{counts:?}");
 }

@@ -73,8 +73,10 @@ fn by_radicals(a: &Q) -> bool {
     room > zero && discriminant < &room * &room
 }
 
-/// AK-A.rho, AK-L4.2: all matrices of order 2 over {−2, …, 2}, and their quarters: the test of the polynomial, the roots
-/// themselves, and a definite solution of Stein's equation give one verdict.
+/// AK-A.rho, AK-L4.2: the test of the polynomial, the roots themselves, and a definite solution of Stein's equation give one
+/// verdict.
+///
+/// Domain: all 2×2 matrices over {−2, …, 2}, and their quarters.
 #[test]
 fn three_routes_to_stability() {
     let entries: Vec<_> = (-2..=2).map(|entry| ratio(entry, 1)).collect();

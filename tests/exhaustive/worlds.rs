@@ -3,9 +3,21 @@
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, Residue, Scalar, ratio};
 
+use crate::minors::is_semidefinite;
+
 /// −1, 0 and 1.
 pub fn signs() -> Vec<Rational> {
     vec![ratio(-1, 1), ratio(0, 1), ratio(1, 1)]
+}
+
+/// The integers up to a bound, with both signs.
+pub fn integers(bound: i64) -> Vec<Rational> {
+    (-bound..=bound).map(|entry| ratio(entry, 1)).collect()
+}
+
+/// The positive semidefinite matrices of an order with integer entries up to a bound.
+pub fn covariances(n: usize, bound: i64) -> Vec<Matrix<Rational>> {
+    symmetric(n, &integers(bound)).filter(is_semidefinite).collect()
 }
 
 /// Every residue.
