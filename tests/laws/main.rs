@@ -2,6 +2,8 @@
 
 mod broken;
 mod common_divisor;
+mod doubles;
+mod every_scalar;
 mod fields;
 mod fractions;
 mod interval;
