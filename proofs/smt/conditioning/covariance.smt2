@@ -1,4 +1,4 @@
-; Identifiers: CKS-L3i
+; Identifiers: none
 ; Statement: P_xx − P_xy P_yy⁻¹ P_yx is positive semidefinite and at most P_xx, for a joint covariance ≥ 0 of 2 + 1 with P_yy > 0.
 ; Size: 2 states and 1 reading, over the reals
 ; Expect: unsat

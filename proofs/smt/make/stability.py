@@ -37,7 +37,7 @@ def statements():
         s.mutated("half the bound", [compared("<", times("2", d.determinant), "1"), compared("<", times("2", d.trace), add("1", d.determinant)), compared("<", times("-2", d.trace), add("1", d.determinant))][part].replace("-2", "(- 2)"))
         yield s
 
-    s = statement("jury", "AK-Root", "Jury's criterion: det D < 1 and |tr D| < 1 + det D ⇒ |λ| < 1 for every eigenvalue λ = a + ib.")
+    s = statement("jury", "none", "Jury's criterion: det D < 1 and |tr D| < 1 + det D ⇒ |λ| < 1 for every eigenvalue λ = a + ib.")
     t, q, a, b = (s.real(name) for name in ["trace", "det", "re", "im"])
     s.note("λ² − tr(D) λ + det D = 0, real and imaginary part.")
     s.assume("det D < 1", compared("<", q, "1"))
@@ -49,7 +49,7 @@ def statements():
     s.mutated("|λ| < 1/2", compared("<", times("4", add(times(a, a), times(b, b))), "1"))
     yield s
 
-    s = statement("unique", "AK-T2.3-diff", "ρ(D) < 1 and X = DXDᵀ ⇒ X = 0, for symmetric X: a solution of Stein's equation is the only one.")
+    s = statement("unique", "none", "ρ(D) < 1 and X = DXDᵀ ⇒ X = 0, for symmetric X: a solution of Stein's equation is the only one.")
     d, x = s.matrix("d"), s.symmetric("x")
     for label, condition in zip(["det D < 1", "tr D < 1 + det D", "−tr D < 1 + det D"], jury(d)):
         s.assume(label, condition)

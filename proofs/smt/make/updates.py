@@ -60,7 +60,7 @@ def statements():
         s.mutated("a positive square for every x", compared(">", (miss @ sigma.adjugate @ miss.T).form(x), "0"))
         yield s
 
-    s = statement("update", "semidefinite", "CKS-4", "P − PCᵀ(CPCᵀ + R)⁻¹CP is positive semidefinite and at most P, for P ≥ 0, R ≥ 0 and CPCᵀ + R > 0 (no shared noise).")
+    s = statement("update", "semidefinite", "none", "P − PCᵀ(CPCᵀ + R)⁻¹CP is positive semidefinite and at most P, for P ≥ 0, R ≥ 0 and CPCᵀ + R > 0 (no shared noise).")
     p, c, r = s.symmetric("p"), s.matrix("c", 1, 2), s.real("r")
     s.note("n is S(P − PCᵀS⁻¹CP), S = CPCᵀ + R.")
     v = s.let("s", add((c @ p @ c.T).rows[0][0], r))
@@ -131,7 +131,7 @@ def statements():
     s.mutated("without the cross terms", left.equals(right))
     yield s
 
-    s = statement("conditioning", "covariance", "CKS-L3i", "P_xx − P_xy P_yy⁻¹ P_yx is positive semidefinite and at most P_xx, for a joint covariance ≥ 0 of 2 + 1 with P_yy > 0.")
+    s = statement("conditioning", "covariance", "none", "P_xx − P_xy P_yy⁻¹ P_yx is positive semidefinite and at most P_xx, for a joint covariance ≥ 0 of 2 + 1 with P_yy > 0.")
     x, c, y = s.symmetric("x"), s.vector("c"), s.real("y")
     n = s.let("n", y * x - c @ c.T)
     (x1, x12), (_, x2) = x.rows
@@ -151,5 +151,5 @@ def statements():
     c, y = s.matrix("c"), s.symmetric("y")
     s.note("Multiplied by det P_yy.")
     s.conclude((y.determinant * c - c @ y.adjugate @ y).equals(zeros(2, 2)))
-    s.mutated("adj P_yy transposed in sign", (y.determinant * c + c @ y.adjugate @ y).equals(zeros(2, 2)))
+    s.mutated("the sign of the correction", (y.determinant * c + c @ y.adjugate @ y).equals(zeros(2, 2)))
     yield s

@@ -1,4 +1,4 @@
-; Identifiers: AK-Root
+; Identifiers: none
 ; Statement: Jury's criterion: det D < 1 and |tr D| < 1 + det D ⇒ |λ| < 1 for every eigenvalue λ = a + ib.
 ; Control: the hypotheses and the conclusion hold together somewhere
 ; Size: 2×2 over the reals

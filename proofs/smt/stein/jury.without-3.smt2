@@ -1,4 +1,4 @@
-; Identifiers: AK-Root
+; Identifiers: none
 ; Statement: Jury's criterion: det D < 1 and |tr D| < 1 + det D ⇒ |λ| < 1 for every eigenvalue λ = a + ib.
 ; Control: without −tr D < 1 + det D there is a counter-example
 ; Size: 2×2 over the reals

@@ -1,4 +1,4 @@
-; Identifiers: AK-T2.3-diff
+; Identifiers: none
 ; Statement: ρ(D) < 1 and X = DXDᵀ ⇒ X = 0, for symmetric X: a solution of Stein's equation is the only one.
 ; Size: 2×2 over the reals
 ; Expect: unsat

@@ -1,4 +1,4 @@
-; Identifiers: CKS-4
+; Identifiers: none
 ; Statement: P − PCᵀ(CPCᵀ + R)⁻¹CP is positive semidefinite and at most P, for P ≥ 0, R ≥ 0 and CPCᵀ + R > 0 (no shared noise).
 ; Control: a planted fault, positive definite, is refuted
 ; Size: 2 states and 1 reading, over the reals
