@@ -18,7 +18,8 @@ use super::rank::{Computed, rounded_off};
 /// ```
 ///
 /// Source: Bierman, *Factorization Methods for Discrete Sequential Estimation*, ch. V and VI. As good as square roots: α is a sum of what
-/// is not negative, so no variance cancels. A reading of which nothing is left has α = 0 and is passed over. It needs
+/// is not negative, so no variance cancels: of one state and one reading `P(R/S)` is left, between 0 and P (`proofs/smt/float/ud-between.smt2`).
+/// A reading of which nothing is left has α = 0 and is passed over. It needs
 /// covariances that have factors, so none that is indefinite.
 pub(super) struct GramSchmidt;
 

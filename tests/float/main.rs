@@ -6,6 +6,7 @@ mod ahead;
 mod digits;
 mod extended;
 mod identification;
+mod invariants;
 mod mixture;
 mod random_riccati;
 mod steady;

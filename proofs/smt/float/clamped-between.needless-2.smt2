@@ -1,0 +1,25 @@
+; Identifiers: none
+; Statement: max(0, min(P, (1 − KC)P)) lies between 0 and P where K is finite: the short form, mended by a clamp.
+; Control: the hypothesis r is finite and not negative is needless
+; Size: scalar, binary16
+; Expect: unsat
+(set-logic QF_FP)
+(define-sort Number () Float16)
+(define-fun zero () Number (_ +zero 5 11))
+(define-fun one () Number ((_ to_fp 5 11) RNE 1.0))
+(declare-const p Number)
+(declare-const r Number)
+(declare-const c Number)
+(define-fun s () Number (fp.add RNE (fp.mul RNE (fp.mul RNE c p) c) r))
+(define-fun w () Number (fp.div RNE one s))
+(define-fun k () Number (fp.mul RNE (fp.mul RNE p c) w))
+(define-fun q () Number (fp.mul RNE (fp.sub RNE one (fp.mul RNE k c)) p))
+; p is finite and not negative
+(assert (and (and (not (fp.isNaN p)) (not (fp.isInfinite p))) (fp.leq zero p)))
+; c is finite
+(assert (and (not (fp.isNaN c)) (not (fp.isInfinite c))))
+; (1 − KC)P is a number
+(assert (not (fp.isNaN q)))
+; the conclusion, denied
+(assert (not (and (fp.leq zero (ite (fp.lt q zero) zero (ite (fp.lt p q) p q))) (fp.leq (ite (fp.lt q zero) zero (ite (fp.lt p q) p q)) p))))
+(check-sat)
