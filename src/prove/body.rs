@@ -60,6 +60,9 @@ pub enum Failure {
     /// Runs at different points took different decisions, so no bound of the error is known.
     #[error("the decisions differ from point to point")]
     Decisions,
+    /// The degrees are so large that random points show nothing.
+    #[error("the degrees are too large for a check at random points")]
+    NoBound,
     /// No point was found at which the twin fails while the identity holds.
     #[error("the twin survives {0} points")]
     TwinSurvives(usize),

@@ -79,5 +79,79 @@ pub(super) fn checked<B: Body>(numbers: [usize; 3], seed: u64) -> Result<Chance,
         }
         chance = Chance { points: chance.points + 1, questions: tally.questions, degree: tally.degree };
     }
-    Ok(chance)
+    if chance.bound() > AIM { Err(Failure::NoBound) } else { Ok(chance) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::matrix::Matrix;
+    use crate::prove::body::Sides;
+    use crate::scalar::Field;
+
+    /// Fermat: xᵖ = x at every point modulo p, and not as polynomials.
+    struct Fermat;
+
+    impl Body for Fermat {
+        const IDENTIFIERS: &'static [&'static str] = &[];
+        const NAME: &'static str = "xᵖ = x";
+        const SLIP: &'static str = "";
+        const LETTERS: &'static [&'static str] = &[];
+        const SYMBOLIC: &'static [[usize; 3]] = &[];
+        const RANDOM: &'static [[usize; 3]] = &[];
+
+        fn sides<F: Field>(_: [usize; 3], _: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
+            let x = entries.column("x", 1);
+            let mut power = x.clone();
+            for _ in 0..60 {
+                power = &power * &power * &x;
+            }
+            Ok(vec![(power, x)])
+        }
+    }
+
+    /// Sides that differ by the product of all entries, of degree four, or by one.
+    struct Nearly;
+
+    impl Body for Nearly {
+        const IDENTIFIERS: &'static [&'static str] = &[];
+        const NAME: &'static str = "nearly equal";
+        const SLIP: &'static str = "";
+        const LETTERS: &'static [&'static str] = &[];
+        const SYMBOLIC: &'static [[usize; 3]] = &[];
+        const RANDOM: &'static [[usize; 3]] = &[];
+
+        fn sides<F: Field>(
+            [by_one, ..]: [usize; 3],
+            _: bool,
+            entries: &mut Entries<'_, F>,
+        ) -> Result<Sides<F>, Failure> {
+            let a = entries.matrix("A", 2, 2);
+            let product = a.entries().iter().fold(F::one(), |product, entry| product.times(entry));
+            let mut other = a.clone();
+            other[(1, 1)] = other[(1, 1)].plus(&if by_one == 1 { F::one() } else { product });
+            Ok(vec![(a, other)])
+        }
+    }
+
+    #[test]
+    fn what_all_points_hide_has_no_bound() {
+        assert_eq!(checked::<Fermat>([0; 3], 1), Err(Failure::NoBound));
+    }
+
+    #[test]
+    fn small_differences_are_seen() {
+        for by_one in [0, 1] {
+            let differs = Failure::Differs { equation: 1, row: 1, column: 1 };
+            assert_eq!(checked::<Nearly>([by_one, 0, 0], 1), Err(differs.clone()));
+            assert_eq!(crate::prove::proof::proved::<Nearly>([by_one, 0, 0], false), Err(differs));
+        }
+    }
+
+    #[test]
+    fn bounds_multiply() {
+        let chance = |points| Chance { points, questions: 8, degree: 1 << 31 };
+        assert!((chance(1).bound() / 2_f64.powi(-27) - 1.0).abs() < 1e-9);
+        assert!((chance(2).bound() / 2_f64.powi(-57) - 1.0).abs() < 1e-9);
+    }
 }

@@ -31,7 +31,8 @@ pub(super) fn found<B: Body>(numbers: [usize; 3]) -> Result<Witness, Failure> {
     let mut random = Random(1);
     for point in 0..MOST_POINTS {
         let most = 1 + point as u64 / 50;
-        let values: Vec<i64> = (0..256).map(|_| (random.next() % (2 * most + 1)).cast_signed() - most.cast_signed()).collect();
+        let values: Vec<i64> =
+            (0..256).map(|_| (random.next() % (2 * most + 1)).cast_signed() - most.cast_signed()).collect();
         let run = |twin| {
             let mut place = 0;
             let mut next = || {

@@ -26,8 +26,7 @@ impl Body for Precision {
         let given = law.conditioned(&observed, &values).map_err(no_value)?;
         let precision = joint.inverse().map_err(no_value)?;
         let covariance = precision.block(0..n, 0..n).inverse().map_err(no_value)?;
-        let correction =
-            &covariance * precision.block(0..n, n..n + m) * (values - mean.block(n..n + m, 0..1));
+        let correction = &covariance * precision.block(0..n, n..n + m) * (values - mean.block(n..n + m, 0..1));
         let prior = mean.block(0..n, 0..1);
         let mean = if twin { prior + correction } else { prior - correction };
         Ok(vec![(given.law.mean().clone(), mean), (given.law.covariance().clone(), covariance)])
@@ -53,11 +52,7 @@ impl Body for Singular {
         let observed: Vec<usize> = (n..n + m).collect();
         let law = Gaussian::new(mean.clone(), &factor * factor.transpose()).map_err(no_value)?;
         let given = law.conditioned(&observed, &values).map_err(no_value)?;
-        let left = if twin {
-            mean.block(0..n, 0..1) + &given.gain * &values
-        } else {
-            given.law.mean().clone()
-        };
+        let left = if twin { mean.block(0..n, 0..1) + &given.gain * &values } else { given.law.mean().clone() };
         let cross = &given.cross_covariance;
         let unexplained = cross - cross * (&given.pseudo_inverse * &given.innovation_covariance);
         Ok(vec![

@@ -20,8 +20,7 @@ impl Body for Recovered {
         let (a, v, w) = (entries.matrix("A", n, n), entries.symmetric("V", n), entries.symmetric("W", n));
         let mut residuals = ResidualCovariances::of_system(&a, &v, &w);
         let written = (&v + &w + a.congruence(&w), &v + &w + a.congruence(&v) + (&a * &a).congruence(&w));
-        let mut sides =
-            vec![(residuals.one_step.clone(), written.0), (residuals.two_step.clone(), written.1)];
+        let mut sides = vec![(residuals.one_step.clone(), written.0), (residuals.two_step.clone(), written.1)];
         if twin {
             std::mem::swap(&mut residuals.one_step, &mut residuals.two_step);
         }
