@@ -24,6 +24,7 @@
 //! | 4 | [`identify`] | systems from data: estimates of A, V, W, the adaptive filter, least squares |
 //! | 4 | [`nongaussian`] | prediction from a start that is not Gaussian |
 //! | 4 | [`stability`] | random Riccati equations: observability, moments, rates, with certificates |
+//! | 5 | [`prove`] | identities proved by running the library's code on variables, or checked at random points |
 //! | 5 | `reproduce` | the papers' tables and figures, simulated again (feature `judge`) |
 //! | 5 | `judge` | digits, attainable digits, verdicts, the suite (feature `judge`) |
 //! | 6 | [`spec`] | the specification, and its entries as data |
@@ -75,6 +76,7 @@ pub mod matrix;
 pub mod model;
 pub mod modular;
 pub mod nongaussian;
+pub mod prove;
 #[cfg(feature = "judge")]
 pub mod protocol;
 #[cfg(feature = "cli")]

@@ -4,12 +4,12 @@ use super::Statistics;
 use super::statistics::inverse_or_kernel;
 use crate::matrix::Matrix;
 use crate::model::{Step, Transition};
-use crate::scalar::OrderedField;
+use crate::scalar::Field;
 
 /// The statistics so far.
 pub(super) struct Recursion<S>(Statistics<S>);
 
-impl<S: OrderedField> Recursion<S> {
+impl<S: Field> Recursion<S> {
     /// At t = 0: everything is zero but Ψ(0, 0) = I.
     pub(super) fn new(n: usize) -> Self {
         let zero = Matrix::zeros(n, n);

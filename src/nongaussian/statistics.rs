@@ -1,9 +1,9 @@
 //! The statistics of the data that the conditional law needs, whatever F is.
 
 use super::recursion::Recursion;
-use crate::matrix::{LdlError, Matrix};
+use crate::matrix::Matrix;
 use crate::model::{Path, Timing};
-use crate::scalar::OrderedField;
+use crate::scalar::Field;
 
 /// Everything at one t that does not depend on F; n states.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,7 +28,7 @@ pub struct Statistics<S> {
     pub linear: Matrix<S>,
 }
 
-impl<S: OrderedField> Statistics<S> {
+impl<S: Field> Statistics<S> {
     /// Σ, 2n×2n.
     ///
     /// SM-2.5: `Σ(t) = [[P(t), Q(t)], [Qᵀ(t), R(t)]]`
@@ -82,7 +82,7 @@ pub enum StatisticsError<S> {
 ///
 /// # Errors
 ///
-/// [`StatisticsError`]: a singular Σᵛ with its witness, or the other timing.
+/// [`StatisticsError`]: a singular Σᵛ with its witness, or the other timing; over a field without order a singular J as well.
 ///
 /// # Examples
 ///
@@ -113,7 +113,7 @@ pub enum StatisticsError<S> {
 /// assert_eq!(after.precision()[(0, 0)], ratio(1, 2));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn statistics<S: OrderedField>(path: &Path<S>) -> Result<Vec<Statistics<S>>, StatisticsError<S>> {
+pub fn statistics<S: Field>(path: &Path<S>) -> Result<Vec<Statistics<S>>, StatisticsError<S>> {
     if path.timing() != Timing::Departing {
         return Err(StatisticsError::Arriving);
     }
@@ -129,7 +129,7 @@ pub fn statistics<S: OrderedField>(path: &Path<S>) -> Result<Vec<Statistics<S>>,
 }
 
 /// The inverse of a positive semidefinite matrix, or a vector v ≠ 0 that it maps to 0.
-pub(super) fn inverse_or_kernel<S: OrderedField>(matrix: &Matrix<S>) -> Result<Matrix<S>, Matrix<S>> {
-    debug_assert!(!matches!(matrix.ldl(), Err(LdlError::Asymmetric { .. })), "a covariance is symmetric");
+pub(super) fn inverse_or_kernel<S: Field>(matrix: &Matrix<S>) -> Result<Matrix<S>, Matrix<S>> {
+    debug_assert!(matrix.asymmetry().is_none(), "a covariance is symmetric");
     matrix.inverse().map_err(|_| matrix.kernel().select_columns(&[0]))
 }

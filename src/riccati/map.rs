@@ -2,7 +2,7 @@
 
 use super::{RiccatiError, Role};
 use crate::matrix::{Matrix, Shape};
-use crate::scalar::OrderedField;
+use crate::scalar::{Field, OrderedField};
 
 /// The map `φ(S) = A(S:W)Aᵀ + V`, which leads from the covariance before one observation to that before the next.
 ///
@@ -72,6 +72,13 @@ impl<S: OrderedField> RiccatiMap<S> {
             .inverse()
             .map_err(|_| RiccatiError::SensorsSingular { direction: sensors.kernel().select_columns(&[0]) })?;
         Self::new(sensors * transition * inverse, sensors.congruence(state_noise), observation_noise)
+    }
+}
+
+impl<S: Field> RiccatiMap<S> {
+    /// The map of matrices whose shapes and covariances the caller answers for, for identities that need no order.
+    pub(crate) fn from_parts(transition: Matrix<S>, state_noise: Matrix<S>, observation_noise: Matrix<S>) -> Self {
+        Self { transition, state_noise, observation_noise }
     }
 
     /// The number of states.

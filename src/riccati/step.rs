@@ -2,7 +2,7 @@
 
 use super::RiccatiMap;
 use crate::matrix::Matrix;
-use crate::scalar::OrderedField;
+use crate::scalar::Field;
 
 /// What one step does to the covariance.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub struct CovarianceStep<S> {
     pub filtered: Matrix<S>,
 }
 
-impl<S: OrderedField> RiccatiMap<S> {
+impl<S: Field> RiccatiMap<S> {
     /// One step from P(k−1) ≥ 0, with the A, V and W of this map; where they change, each step has a map of its own.
     ///
     /// AK-1.4a: `S(k) = A P(k−1)Aᵀ + V, k ≥ 1`

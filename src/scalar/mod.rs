@@ -8,6 +8,7 @@
 //! |---|---|---|---|---|
 //! | [`Rational`] | yes | yes | yes | always decides |
 //! | [`Residue`] | yes | yes | no: an order modulo p means nothing | always decides |
+//! | [`RationalFunction`] | yes | yes | no | decides, unless too large |
 //! | [`num_bigint::BigInt`] | yes | no: quotients must be exact | no | always decides |
 //!
 //! A trait is a document: generic code relies on nothing but what is written here, and every promise has
@@ -23,9 +24,11 @@ mod interval;
 pub mod laws;
 mod logarithm;
 mod normal;
+mod polynomial;
 mod precision;
 mod quotient;
 mod rational;
+mod rational_function;
 mod residue;
 
 pub use dyadic::{Dyadic, Toward};
@@ -37,6 +40,7 @@ pub use logarithm::Logarithms;
 pub use precision::Precision;
 pub use quotient::Quotient;
 pub use rational::{Rational, ratio};
+pub use rational_function::RationalFunction;
 pub use residue::{Mersenne61, Residue};
 
 /// What a scalar knows about the question "is this zero?".

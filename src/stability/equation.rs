@@ -2,7 +2,7 @@
 
 use super::Mode;
 use crate::matrix::Matrix;
-use crate::scalar::OrderedField;
+use crate::scalar::Field;
 
 /// One step from P(k), with the parts that the theory names.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub struct RiccatiStep<S> {
     pub next: Matrix<S>,
 }
 
-impl<S: OrderedField> Mode<S> {
+impl<S: Field> Mode<S> {
     /// One step of the equation from P(k) ≥ 0.
     ///
     /// WG-1: `P(k+1) = F(k)P(k)Fᵀ(k) − F(k)P(k)Hᵀ(k)[H(k)P(k)Hᵀ(k) + R(k)]⁻¹H(k)P(k)Fᵀ(k) + Q(k)`
@@ -81,7 +81,7 @@ impl<S: OrderedField> Mode<S> {
     }
 }
 
-fn inverse<S: OrderedField>(matrix: &Matrix<S>) -> Matrix<S> {
+fn inverse<S: Field>(matrix: &Matrix<S>) -> Matrix<S> {
     matrix
         .inverse()
         .or_else(|_| matrix.pseudo_inverse())

@@ -1,7 +1,7 @@
 //! What the coefficients are at one time.
 
 use crate::matrix::{LdlError, Matrix, Shape};
-use crate::scalar::OrderedField;
+use crate::scalar::{Field, OrderedField};
 
 /// F, H, Q and R of one time: `x(k+1) = F x(k) + w(k+1), y(k) = H x(k) + v(k), cov w(k+1) = Q ≥ 0, cov v(k) = R ≥ 0`.
 ///
@@ -90,6 +90,18 @@ impl<S: OrderedField> Mode<S> {
             noise.ldl().map_err(|source| ModeError::NotSemidefinite { part, source })?;
         }
         Ok(Self { transition, observation, process_noise, observation_noise })
+    }
+}
+
+impl<S: Field> Mode<S> {
+    /// The mode of matrices whose shapes and covariances the caller answers for, for identities that need no order.
+    pub(crate) fn from_parts(
+        transition: Matrix<S>,
+        observation: Matrix<S>,
+        process_noise: Matrix<S>,
+        observation_noise: Matrix<S>,
+    ) -> Self {
+        Self { transition, observation, process_noise, observation_noise }
     }
 
     /// d.

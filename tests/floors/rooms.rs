@@ -3,7 +3,7 @@
 use crate::imports::rooms_named;
 
 /// The floor of each room, those that are planned included.
-const FLOORS: [(&str, u32); 21] = [
+const FLOORS: [(&str, u32); 22] = [
     ("scalar", 0),
     ("matrix", 1),
     ("modular", 1),
@@ -19,6 +19,7 @@ const FLOORS: [(&str, u32); 21] = [
     ("nongaussian", 4),
     ("identify", 4),
     ("stability", 4),
+    ("prove", 5),
     ("reproduce", 5),
     ("judge", 5),
     ("report", 6),
