@@ -27,7 +27,7 @@ Section Step.
 Variables (R : realFieldType) (m n p : nat).
 Variables (A : 'M[R]_(m, n)) (H : 'M[R]_(p, n)) (Q : 'M[R]_m) (S : 'M[R]_(m, p)) (V : 'M[R]_p).
 Implicit Types (P W Z E : 'M[R]_n) (K : 'M[R]_(m, p)).
-Hypotheses (symQ : Q^T = Q) (symV : V^T = V).
+Hypothesis symV : V^T = V.
 
 Definition Gamma P : 'M[R]_(m, p) := A *m P *m H^T + S.
 Definition Sigma P : 'M[R]_p := H *m P *m H^T + V.
