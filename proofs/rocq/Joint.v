@@ -128,11 +128,11 @@ rewrite [(_ *m Jyy J)^T]trmx_mul psd_sym; last exact: psd_Jyy.
 by rewrite !mulmxA -!(mulmxA (K - gain J)) mulmx_pseudo_inverse.
 Qed.
 
-(** CKS-L3i, SM-cone: the conditional covariance is semidefinite. *)
+(** CKS-L3i: the conditional covariance is semidefinite. *)
 Theorem schur_psd J : psd J -> psd (schur J).
 Proof. by move=> pJ; rewrite -residual_gain //; apply: psd_residual. Qed.
 
-(** EK-L3, WG-52: no gain does better than Pxy Pyy⁺. *)
+(** EK-L3: no gain does better than Pxy Pyy⁺. *)
 Theorem schur_optimal J K : psd J -> schur J ⪯ residual J K.
 Proof.
 move=> pJ; rewrite completion_of_squares // addrC addKr.

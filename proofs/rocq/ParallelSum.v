@@ -18,7 +18,7 @@ Local Open Scope ring_scope.
 
 Definition parallel_sum (R : realFieldType) n (F G : 'M[R]_n) : 'M[R]_n := F *m (F + G)^† *m G.
 
-Notation "F ∥ G" := (parallel_sum F G) (at level 50, left associativity).
+Notation "F ∥ G" := (parallel_sum F G) (at level 45, left associativity).
 
 Section ParallelSum.
 Variables (R : realFieldType) (n : nat).
@@ -97,7 +97,7 @@ rewrite mul_row_block !mulmx0 !add0r tr_row_mx mul_row_col.
 by rewrite linearN /= !(mulmx0, mul0mx, mulmxN, mulNmx) add0r opprK.
 Qed.
 
-(** AK-Par: (I − K)F(I − K)ᵀ + KGKᵀ is at least F:G for every K, *)
+(** AK-Par: (I − K)F(I − K)ᵀ + KGKᵀ is at least F:G for every K. *)
 Theorem parallel_sum_variational F G K : psd F -> psd G ->
   F ∥ G ⪯ (1%:M - K) *m F *m (1%:M - K)^T + K *m G *m K^T.
 Proof.
@@ -105,7 +105,7 @@ move=> pF pG; rewrite parallel_sum_schur // -noisy_copy_residual.
 exact/schur_optimal/psd_noisy_copy.
 Qed.
 
-(** AK-Par: and x(F:G)xᵀ is the least value of yFyᵀ + (x − y)G(x − y)ᵀ: no y has less, *)
+(** AK-Par: no y has less than x(F:G)xᵀ for yFyᵀ + (x − y)G(x − y)ᵀ. *)
 Theorem parallel_sum_least F G x y : psd F -> psd G ->
   form (F ∥ G) x x <= form F y y + form G (x - y) (x - y).
 Proof.
@@ -121,7 +121,7 @@ rewrite formB subr_ge0 formD !form_congr mulmxBr mulmx1 xK.
 by rewrite opprB addrCA subrr addr0.
 Qed.
 
-(** AK-Par: and one y has it. *)
+(** AK-Par: some y has x(F:G)xᵀ for yFyᵀ + (x − y)G(x − y)ᵀ, which is therefore the least value. *)
 Theorem parallel_sum_attained F G x : psd F -> psd G ->
   exists y, form (F ∥ G) x x = form F y y + form G (x - y) (x - y).
 Proof.

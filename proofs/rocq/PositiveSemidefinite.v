@@ -205,7 +205,7 @@ End Cone.
 Section Congruence.
 Variable R : realFieldType.
 
-(** SM-cone: covariance matrices stay covariance matrices under linear maps. *)
+(** Covariance matrices stay covariance matrices under linear maps. *)
 Theorem psd_congruence m n (C : 'M[R]_(m, n)) A : psd A -> psd (C *m A *m C^T).
 Proof. by case=> sA pA; split=> [|x]; [apply: tr_congr | rewrite form_congr]. Qed.
 
@@ -273,13 +273,13 @@ move=> [_ pA] xA; apply/eqP/negPn/negP => /pA.
 by rewrite /form xA mul0mx mxE ltxx.
 Qed.
 
-(** Definite matrices are invertible, *)
+(** Definite matrices are invertible. *)
 Theorem pd_unit A : pd A -> A \in unitmx.
 Proof.
 move=> pA; rewrite -row_free_unit; apply/inj_row_free => x; exact: pd_free.
 Qed.
 
-(** and semidefinite ones that are invertible are definite. *)
+(** Semidefinite matrices that are invertible are definite. *)
 Theorem psd_unit_pd A : psd A -> A \in unitmx -> pd A.
 Proof.
 move=> pA uA; split=> [|x nx]; first exact: psd_sym.
@@ -295,6 +295,23 @@ move=> pA; have uA := pd_unit pA.
 have e : invmx A = invmx A *m A *m (invmx A)^T by rewrite mulVmx // mul1mx trmx_inv pd_sym.
 rewrite e; apply: pd_congruence => //.
 by rewrite row_free_unit unitmx_inv.
+Qed.
+
+(** Inverses turn the order round. *)
+Theorem pd_inv_antitone A B : pd A -> A ⪯ B -> invmx B ⪯ invmx A.
+Proof.
+move=> pA AB; have pB := pd_le pA AB; have [pA' pB'] := (pd_inv pA, pd_inv pB).
+split=> [|x]; first by rewrite linearB /= (pd_sym pA') (pd_sym pB').
+rewrite formB subr_ge0; pose u := x *m invmx B; pose v := x *m invmx A.
+have eB : form (invmx B) x x = form B u u.
+  by rewrite /form /u trmx_mul (pd_sym pB') mulmxKV ?pd_unit // mulmxA.
+have eA : form A v v = form (invmx A) x x.
+  by rewrite /form /v trmx_mul (pd_sym pA') mulmxKV ?pd_unit // mulmxA.
+have eq : form B u u = form A u v.
+  rewrite -eB /form /v trmx_mul (pd_sym pA') !mulmxA mulmxK ?pd_unit //.
+have := (pd_psd pB).2 u; rewrite eB le_eqVlt => /orP[/eqP<-|q0]; first exact: (pd_psd pA').2.
+rewrite -(ler_pmul2l q0); have := cauchy_schwarz u v (pd_psd pA); rewrite -eq eA expr2 => /le_trans; apply.
+by apply: ler_wpmul2r; [exact: (pd_psd pA').2 | rewrite -subr_ge0 -formB AB.2].
 Qed.
 
 End CauchySchwarz.

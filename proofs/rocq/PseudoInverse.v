@@ -162,6 +162,20 @@ move=> fU fV; apply/pseudo_inverse_eq/full_rank_formula; apply: pd_unit; last ex
 by rewrite -[X in _ *m X]trmxK; apply: pd_gram; rewrite /row_free mxrank_tr.
 Qed.
 
+(** HV-X.da: F⁺ = Fᵀ(FFᵀ)⁺ for every F. *)
+Theorem pseudo_inverse_gram m n (F : 'M[R]_(m, n)) : F^† = F^T *m (F *m F^T)^†.
+Proof.
+have sG : (F *m F^T)^†^T = (F *m F^T)^† by rewrite pseudo_inverse_sym // trmx_mul trmxK.
+case: (pseudo_inverseP (F *m F^T)) => gg' g'g sgg' sg'g; apply: pseudo_inverse_eq.
+move: ((F *m F^T)^†) sG gg' g'g sgg' sg'g => Z sZ gZg ZgZ sgZ sZg.
+split; rewrite ?mulmxA //.
+- have e : F *m F^T *m Z *m F - F = (F *m F^T *m Z - 1%:M) *m F by rewrite mulmxBl mul1mx.
+  apply/eqP; rewrite -subr_eq0 e; apply/eqP/gram_eq0.
+  by rewrite [(_ *m F)^T]trmx_mul mulmxA -(mulmxA _ F) [(_ - _) *m (F *m _)]mulmxBl gZg mul1mx subrr mul0mx.
+- by rewrite -!mulmxA; congr (_ *m _); rewrite !mulmxA -[RHS]ZgZ !mulmxA.
+by rewrite tr_mul3 trmxK sZ.
+Qed.
+
 (** Semidefinite matrices have semidefinite pseudo-inverses. *)
 Theorem psd_pseudo_inverse n (A : 'M[R]_n) : psd A -> psd A^†.
 Proof.

@@ -43,7 +43,7 @@ Lemma stack_blocks P :
   stack P = block_mx (A *m P *m A^T) (A *m P *m C^T) (C *m P *m A^T) (C *m P *m C^T) + N.
 Proof. by rewrite /stack mul_col_mx tr_col_mx mul_col_row. Qed.
 
-(** CKS-10, HV-P.c: the cross covariance is Γ = APCᵀ + S. *)
+(** HV-P.c: the cross covariance is Γ = APCᵀ + S. *)
 Theorem stack_xy P : Jxy (stack P) = A *m P *m C^T + ursubmx N.
 Proof. by rewrite stack_blocks JxyD /Jxy block_mxKur. Qed.
 
@@ -87,7 +87,7 @@ Theorem riccati_range P : psd P ->
   = A *m P *m C^T + ursubmx N.
 Proof. by move=> /psd_stack pJ; rewrite -stack_xy -stack_yy joint_range. Qed.
 
-(** HV-4, HV-5, HV-P.cov, WG-1: the map written out, APAᵀ + Q − ΓΣ⁺Γᵀ, with gain ΓΣ⁺. *)
+(** HV-4, HV-5, HV-P.cov: the map written out, APAᵀ + Q − ΓΣ⁺Γᵀ, with gain ΓΣ⁺. *)
 Theorem riccatiE P : psd P ->
   riccati P = A *m P *m A^T + ulsubmx N
     - riccati_gain P *m (A *m P *m C^T + ursubmx N)^T /\
@@ -97,11 +97,11 @@ move=> /psd_stack pJ; split; last by rewrite /riccati_gain /gain stack_xy stack_
 by rewrite /riccati /schur JyxE // -stack_xy -stack_xx.
 Qed.
 
-(** WG-52, HV-4: with the gain of the step, the form of Joseph is the map itself. *)
+(** EK-L1: with the gain of the step, the form of Joseph is the map itself. *)
 Theorem riccati_joseph P : psd P -> riccati P = joseph P (riccati_gain P).
 Proof. by move=> /psd_stack pJ; rewrite /joseph residual_gain. Qed.
 
-(** WG-52: for P ⪰ 0 the Lyapunov form, with the closed loop A − KC of the gain of the step. *)
+(** For P ⪰ 0 the Lyapunov form, with the closed loop A − KC of the gain of the step. *)
 Theorem riccati_lyapunov P : psd P ->
   riccati P = closed (riccati_gain P) *m P *m (closed (riccati_gain P))^T + residual N (riccati_gain P).
 Proof. by move=> pP; rewrite riccati_joseph // josephE. Qed.
@@ -110,11 +110,11 @@ Proof. by move=> pP; rewrite riccati_joseph // josephE. Qed.
 Theorem riccati_psd P : psd P -> psd (riccati P).
 Proof. by move=> pP; apply/schur_psd/psd_stack. Qed.
 
-(** EK-L3: every gain is an upper bound, *)
+(** EK-L3: every gain is an upper bound. *)
 Theorem riccati_upper P K : psd P -> riccati P ⪯ joseph P K.
 Proof. by move=> /psd_stack; apply: schur_optimal. Qed.
 
-(** EK-L3: and J(P, K) − φ(P) = (KΣ − Γ)Σ⁺(KΣ − Γ)ᵀ. *)
+(** EK-L3: J(P, K) − φ(P) = (KΣ − Γ)Σ⁺(KΣ − Γ)ᵀ. *)
 Theorem riccati_defect P K : psd P ->
   let Sigma := C *m P *m C^T + drsubmx N in let Gamma := A *m P *m C^T + ursubmx N in
   joseph P K - riccati P = (K *m Sigma - Gamma) *m Sigma^† *m (K *m Sigma - Gamma)^T.
@@ -153,7 +153,7 @@ move=> a0 a1 pP; have e : riccati 0 = schur N by rewrite /riccati /stack mulmx0 
 have := riccati_concave a0 a1 pP (psd0 R n); by rewrite scaler0 addr0 e.
 Qed.
 
-(** AK-T2.3-diff: φ(P) − φ(T) = D₁(P − T)D₂ᵀ with the closed loops D₁ of P and D₂ of T. *)
+(** EK-L4: the difference exactly: φ(P) − φ(T) = D₁(P − T)D₂ᵀ with the closed loops D₁ of P and D₂ of T. *)
 Theorem riccati_difference P T : psd P -> psd T ->
   riccati P - riccati T = closed (riccati_gain P) *m (P - T) *m (closed (riccati_gain T))^T.
 Proof.
@@ -181,6 +181,32 @@ exact: riccati_upper.
 Qed.
 
 End Riccati.
+
+(** More noise, more covariance. *)
+Theorem riccati_mono_noise (R : realFieldType) n p (A : 'M[R]_n) (C : 'M[R]_(p, n)) (N N' : 'M[R]_(n + p)) P :
+  psd N -> N ⪯ N' -> psd P -> riccati A C N P ⪯ riccati A C N' P.
+Proof.
+move=> pN NN pP; apply: schur_mono; first exact: psd_stack.
+by rewrite /stack opprD addrACA subrr add0r.
+Qed.
+
+(** HV-X.da: with L = DF⁺ the noise D(I − F⁺F)w left over is uncorrelated with Fw, and its covariance is DDᵀ − L(DFᵀ)ᵀ. *)
+Theorem departing_as_arriving (R : realFieldType) n p q (D : 'M[R]_(n, q)) (F : 'M[R]_(p, q)) :
+  let L := D *m F^† in let E := D *m (1%:M - F^† *m F) in
+  [/\ L = D *m F^T *m (F *m F^T)^†, E *m F^T = 0 & E *m E^T = D *m D^T - L *m (D *m F^T)^T].
+Proof.
+case: (pseudo_inverseP F) => fxf xfx sfx sxf /=.
+have z : (1%:M - F^† *m F) *m F^T = 0.
+  apply: trmx_inj; rewrite trmx0 trmx_mul trmxK linearB /= trmx1 sxf.
+  by rewrite mulmxBr mulmx1 mulmxA fxf subrr.
+have s : (1%:M - F^† *m F)^T = 1%:M - F^† *m F by rewrite linearB /= trmx1 sxf.
+split; first by rewrite pseudo_inverse_gram mulmxA.
+  by rewrite -mulmxA z mulmx0.
+have i : (1%:M - F^† *m F) *m (1%:M - F^† *m F) = 1%:M - F^† *m F.
+  by rewrite {1}mulmxBl mul1mx mulmxBr mulmx1 mulmxA xfx subrr subr0.
+rewrite [(D *m (_ - _))^T]trmx_mul s mulmxA -(mulmxA D) i mulmxBr mulmx1 mulmxBl.
+by rewrite [(D *m F^T)^T]trmx_mul trmxK !mulmxA.
+Qed.
 
 (** The timing of CKS: x₊ = A x + D w, y = C x₊ + F w with noise w of covariance I. *)
 Section Arriving.
@@ -245,11 +271,11 @@ rewrite arriving_schur JyxE // {2}arriving_xy_form; congr (_ - _ *m _).
 by rewrite linearD /= (trmx_mul D) (trmx_mul (predicted P)) !trmxK sR.
 Qed.
 
-(** CKS-4, SM-cone: both timings keep covariances semidefinite, *)
+(** The arriving timing too keeps covariances semidefinite. *)
 Theorem arriving_psd P : psd P -> psd (arriving P).
 Proof. by move=> pP; apply: riccati_psd => //; apply: psd_arriving_noise. Qed.
 
-(** EK-L4: and are monotone. *)
+(** EK-L4: the arriving timing too is monotone. *)
 Theorem arriving_mono P T : psd P -> P ⪯ T -> arriving P ⪯ arriving T.
 Proof. by move=> pP PT; apply: riccati_mono => //; apply: psd_arriving_noise. Qed.
 
