@@ -50,7 +50,7 @@ apply: loewner_trans (psd_le_trace _) _; first by apply/psd_congruence/psd_congr
 rewrite -raddfB /= -[_%:M]scalemx1; apply: psdZ; [by rewrite subr_ge0 | exact: psd1].
 Qed.
 
-(** EK-L7: TΣTᵀ ⪰ κI for every P of the set, *)
+(** EK-L7: TΣTᵀ ⪰ κI for every P of the set. *)
 Theorem whitened : kappa%:M ⪯ T *m Sigma H V P *m T^T.
 Proof.
 have [h1 _] := withinD within_row_sums gap_seen.
@@ -65,7 +65,7 @@ Proof.
 apply: pd_le whitened; rewrite -scalemx1; apply: pdZ => //; exact: pd1.
 Qed.
 
-(** EK-L7: T is regular, *)
+(** EK-L7: T is regular. *)
 Theorem whitening_regular : T \in unitmx.
 Proof. by have := pd_unit pd_whitened; rewrite !unitmx_mul -andbA => /andP[]. Qed.
 
@@ -75,7 +75,7 @@ have uT := whitening_regular.
 by rewrite !mulmxA mulVmx // mul1mx -mulmxA trmx_inv mulmxV ?mulmx1 // unitmx_tr.
 Qed.
 
-(** EK-L7: Σ is definite, *)
+(** EK-L7: Σ is definite. *)
 Theorem innovation_pd : pd (Sigma H V P).
 Proof.
 rewrite -[Sigma H V P]back; apply: pd_congruence => //.
@@ -169,7 +169,7 @@ Proof. by rewrite mulmxBl eL /rho /C /closed /Z /Sigma /Gamma; expand. Qed.
 
 Definition spread : 'M[R]_m := (2%:R / kappa) *: (rho *m T^T *m T *m rho^T + w *: (C *m W *m C^T)).
 
-(** EK-T1: the loss of the gain, 0 ⪯ Δ ⪯ (2/κ)(ρTᵀTρᵀ + w G̃WG̃ᵀ), *)
+(** EK-T1: the loss of the gain, 0 ⪯ Δ ⪯ (2/κ)(ρTᵀTρᵀ + w G̃WG̃ᵀ). *)
 Theorem loss_of_gain :
   (K - L) *m Sigma H V P *m (K - L)^T ⪯ spread.
 Proof.

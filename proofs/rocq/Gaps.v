@@ -72,7 +72,7 @@ Qed.
 Lemma trace_square n (h : 'rV[R]_n) (Y : 'M_n) : \tr (h^T *m h *m Y) = form Y h h.
 Proof. by rewrite -mulmxA mxtrace_mulC /form trace_mx11. Qed.
 
-(** The trace of a product of semidefinite matrices is no less than 0, *)
+(** The trace of a product of semidefinite matrices is no less than 0. *)
 Theorem trace_ge0 n (X Y : 'M[R]_n) : psd X -> psd Y -> 0 <= \tr (X *m Y).
 Proof.
 move=> pX pY; move: X pX; apply: psd_ind => [|X h c _ c0 IH]; first by rewrite mul0mx mxtrace0.

@@ -80,7 +80,7 @@ Qed.
 Theorem recover_V V W : noise_V A (residual_1 A V W) (residual_2 A V W) = V.
 Proof. by rewrite /noise_V recover_W /residual_1; expand. Qed.
 
-(** AK-B.V: any B(1) is that of the noises that are recovered, *)
+(** AK-B.V: any B(1) is that of the noises that are recovered. *)
 Theorem recovered_1 B1 B2 : residual_1 A (noise_V A B1 B2) (noise_W A B1 B2) = B1.
 Proof. by rewrite /residual_1 /noise_V; sums. Qed.
 

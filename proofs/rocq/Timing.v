@@ -57,7 +57,7 @@ Theorem departing_arrives :
   A *m x + b + D *m w = (A - L *m C) *m x + b + L *m (y - g) + D *m (1%:M - F^† *m F) *m w.
 Proof. by rewrite /= /L; expand. Qed.
 
-(** HV-X.da: the rest of the noise is uncorrelated with F w, *)
+(** HV-X.da: the rest of the noise is uncorrelated with F w. *)
 Theorem rest_uncorrelated : D *m (1%:M - F^† *m F) *m F^T = 0.
 Proof.
 have [e1 _ _ e4] := pseudo_inverseP F.
