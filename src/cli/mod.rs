@@ -22,6 +22,7 @@ mod numbers;
 mod parallel;
 mod price;
 mod progress;
+mod prove;
 mod proved;
 mod proved_interval;
 mod reporting;
@@ -76,6 +77,7 @@ enum Verb {
     Stability(stability::Stability),
     Steady(steady::Steady),
     Reproduce(reproduce::Reproduce),
+    Prove(prove::Prove),
     Verify(verify::Verify),
 }
 
@@ -111,6 +113,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Stability(verb) => verb.run(),
         Verb::Steady(verb) => verb.run(),
         Verb::Reproduce(verb) => verb.run(),
+        Verb::Prove(verb) => verb.run(),
         Verb::Verify(verb) => verb.run(),
     };
     match outcome {

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 
 use crate::program::{Directory, PROGRAM, Ran, run};
 
-const VERBS: [&str; 14] = [
+const VERBS: [&str; 15] = [
     "solve",
     "check",
     "judge",
@@ -21,6 +21,7 @@ const VERBS: [&str; 14] = [
     "reproduce HV-Tab1",
     "reproduce HV-Fig1",
     "reproduce HV-Fig2",
+    "prove",
     "spec",
     "verify",
 ];
