@@ -76,9 +76,9 @@ pub mod matrix;
 pub mod model;
 pub mod modular;
 pub mod nongaussian;
-pub mod prove;
 #[cfg(feature = "judge")]
 pub mod protocol;
+pub mod prove;
 #[cfg(feature = "cli")]
 pub mod report;
 #[cfg(feature = "judge")]

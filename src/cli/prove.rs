@@ -131,7 +131,7 @@ impl Prove {
 
     fn tasks(&self, identity: &Identity) -> Vec<Task> {
         let most = if self.quick { 1 } else { usize::MAX };
-        let proofs = identity.symbolic.iter().take(most).map(|&size| Task::Proof(size));
+        let proofs = identity.symbolic.iter().chain(&identity.heavy).take(most).map(|&size| Task::Proof(size));
         let points = identity.random.iter().take(most).map(|&size| Task::Points(size));
         proofs.chain(points).chain([Task::Twin]).collect()
     }
@@ -194,7 +194,7 @@ fn sizes(sizes: &[Size]) -> String {
 
 fn list(out: &mut impl Write, identity: &Identity) -> std::io::Result<()> {
     writeln!(out, "{} · {}", identity.identifiers.join(", "), identity.name)?;
-    writeln!(out, "  proved for            {}", sizes(&identity.symbolic))?;
+    writeln!(out, "  proved for            {}", sizes(&[&identity.symbolic[..], &identity.heavy].concat()))?;
     writeln!(out, "  at random points for  {}", sizes(&identity.random))?;
     writeln!(out, "  the twin's slip       {}", identity.slip)
 }
@@ -204,7 +204,7 @@ fn listed(identity: &Identity) -> serde_json::Value {
     serde_json::json!({
         "identifiers": identity.identifiers,
         "name": identity.name,
-        "proved": all(&identity.symbolic),
+        "proved": all(&[&identity.symbolic[..], &identity.heavy].concat()),
         "random_points": all(&identity.random),
         "slip": identity.slip,
     })

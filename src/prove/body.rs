@@ -79,6 +79,8 @@ pub(super) trait Body {
     const SLIP: &'static str;
     const LETTERS: &'static [&'static str];
     const SYMBOLIC: &'static [[usize; 3]];
+    /// Further ones, whose proofs take seconds.
+    const HEAVY: &'static [[usize; 3]] = &[];
     const RANDOM: &'static [[usize; 3]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure>;

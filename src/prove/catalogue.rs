@@ -15,8 +15,10 @@ pub struct Identity {
     pub name: &'static str,
     /// What is wrong in the twin.
     pub slip: &'static str,
-    /// The sizes at which it is proved.
+    /// The sizes at which it is proved in moments: the tests run these, and the specification names no others.
     pub symbolic: Vec<Size>,
+    /// Further ones, which take seconds.
+    pub heavy: Vec<Size>,
     /// The sizes at which it is checked at random points.
     pub random: Vec<Size>,
     prove: fn([usize; 3], bool) -> Result<Proof, Failure>,
@@ -31,6 +33,7 @@ impl Identity {
             name: B::NAME,
             slip: B::SLIP,
             symbolic: Size::all(B::LETTERS, B::SYMBOLIC),
+            heavy: Size::all(B::LETTERS, B::HEAVY),
             random: Size::all(B::LETTERS, B::RANDOM),
             prove: proved::<B>,
             check: checked::<B>,

@@ -27,6 +27,9 @@ impl Source {
                 docs.push('\n');
             } else if line.starts_with("#[") {
                 is_test |= line == "#[test]";
+            } else if let Some((name, _)) = line.split_once(", unwind ") {
+                // `harness! { /// docs` and then the name.
+                found.push((format!("{module}::{name}"), std::mem::take(&mut docs)));
             } else if let (Some(name), true) = (function(line), is_test) {
                 found.push((format!("{module}::{name}"), std::mem::take(&mut docs)));
                 is_test = false;

@@ -14,7 +14,8 @@ impl Body for Precision {
     const NAME: &'static str = "conditioning = the law read off the joint precision";
     const SLIP: &'static str = "the sign of the correction of the mean";
     const LETTERS: &'static [&'static str] = &["n", "m"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0], [2, 2, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0], [2, 2, 0], [3, 2, 0], [2, 3, 0]];
+    const HEAVY: &'static [[usize; 3]] = &[[3, 3, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[3, 2, 0], [4, 4, 0], [8, 3, 0], [5, 8, 0]];
 
     fn sides<F: Field>([n, m, _]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
@@ -41,7 +42,7 @@ impl Body for Singular {
     const NAME: &'static str = "conditioning on more readings than there are sources";
     const SLIP: &'static str = "the mean of the reading is not subtracted";
     const LETTERS: &'static [&'static str] = &["n", "m", "sources"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 2, 1], [2, 2, 1], [1, 3, 1], [2, 3, 1]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 2, 1], [2, 2, 1], [1, 3, 1], [2, 3, 1], [2, 3, 2], [3, 3, 2]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 3, 2], [3, 4, 2], [4, 6, 5], [8, 8, 4]];
 
     fn sides<F: Field>([n, m, r]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {

@@ -37,7 +37,8 @@ impl Body for Arriving {
     const NAME: &'static str = "the filter = the joint law conditioned (arriving noise)";
     const SLIP: &'static str = "the noise that transition and reading share is forgotten";
     const LETTERS: &'static [&'static str] = &["n", "m", "steps"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 1], [2, 1, 1], [1, 2, 1], [1, 1, 2]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 1], [2, 1, 1], [1, 2, 1], [1, 1, 2], [3, 1, 1], [1, 1, 3]];
+    const HEAVY: &'static [[usize; 3]] = &[[2, 2, 1]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 1, 2], [2, 2, 2], [3, 2, 3], [4, 2, 3], [8, 3, 2]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
@@ -53,7 +54,8 @@ impl Body for Departing {
     const NAME: &'static str = "the predictor = the joint law conditioned (departing noise)";
     const SLIP: &'static str = "the noise that reading and transition share is forgotten";
     const LETTERS: &'static [&'static str] = &["n", "m", "steps"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 2]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 2], [1, 1, 3]];
+    const HEAVY: &'static [[usize; 3]] = &[[2, 1, 2], [1, 2, 2]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 1, 2], [2, 2, 2], [3, 2, 3], [4, 2, 3], [8, 3, 2]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {

@@ -49,7 +49,7 @@ impl Body for Joseph {
     const NAME: &'static str = "Joseph's form, written out, at any gain";
     const SLIP: &'static str = "KΓᵀ is subtracted twice instead of KΓᵀ and ΓKᵀ";
     const LETTERS: &'static [&'static str] = &["n", "m"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [2, 2, 0], [3, 2, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [2, 2, 0], [3, 2, 0], [4, 2, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[4, 2, 0], [8, 8, 0]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
@@ -75,7 +75,8 @@ impl Body for Squares {
     const NAME: &'static str = "the squares are completed, at any gain";
     const SLIP: &'static str = "Σ stands for Σ⁺";
     const LETTERS: &'static [&'static str] = &["n", "m"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0], [2, 2, 0], [3, 1, 0]];
+    const HEAVY: &'static [[usize; 3]] = &[[3, 2, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 2, 0], [3, 2, 0], [4, 3, 0], [8, 4, 0]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
@@ -95,7 +96,8 @@ impl Body for OptimalGain {
     const NAME: &'static str = "Joseph's form = the plain form at the gain of the filter";
     const SLIP: &'static str = "the gain without the shared noise";
     const LETTERS: &'static [&'static str] = &["n", "m"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0], [3, 1, 0]];
+    const HEAVY: &'static [[usize; 3]] = &[[2, 2, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 2, 0], [3, 2, 0], [4, 3, 0], [8, 4, 0]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
@@ -114,7 +116,7 @@ impl Body for Lyapunov {
     const NAME: &'static str = "the form of Lyapunov = the equation of Riccati";
     const SLIP: &'static str = "Q stands for Q̄: the noise that the gain lets in is dropped";
     const LETTERS: &'static [&'static str] = &["d", "m"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0], [2, 2, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 0], [2, 1, 0], [1, 2, 0], [2, 2, 0], [3, 1, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[3, 2, 0], [4, 3, 0], [8, 4, 0]];
 
     fn sides<F: Field>([d, m, _]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {

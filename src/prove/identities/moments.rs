@@ -13,7 +13,7 @@ impl Body for Recovered {
     const NAME: &'static str = "V and W from the covariances of residuals";
     const SLIP: &'static str = "B(1) and B(2) are interchanged";
     const LETTERS: &'static [&'static str] = &["n"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 0, 0], [2, 0, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 0, 0], [2, 0, 0], [3, 0, 0], [4, 0, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[3, 0, 0], [4, 0, 0], [8, 0, 0]];
 
     fn sides<F: Field>([n, ..]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {

@@ -12,7 +12,7 @@ impl Body for Forms {
     const NAME: &'static str = "F:G = G:F = F − F(F + G)⁻¹F, and inverses add";
     const SLIP: &'static str = "F − G(F + G)⁻¹F";
     const LETTERS: &'static [&'static str] = &["n"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 0, 0], [2, 0, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 0, 0], [2, 0, 0], [3, 0, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[3, 0, 0], [4, 0, 0], [8, 0, 0]];
 
     fn sides<F: Field>([n, ..]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
@@ -38,7 +38,8 @@ impl Body for Singular {
     const NAME: &'static str = "parallel sums of singular matrices";
     const SLIP: &'static str = "F − G(F + G)⁺F";
     const LETTERS: &'static [&'static str] = &["n", "r"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 1, 0], [3, 1, 0]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 1, 0], [3, 1, 0], [4, 1, 0]];
+    const HEAVY: &'static [[usize; 3]] = &[[3, 2, 0], [4, 2, 0]];
     const RANDOM: &'static [[usize; 3]] = &[[3, 2, 0], [4, 2, 0], [6, 4, 0], [8, 3, 0]];
 
     fn sides<F: Field>([n, r, _]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {

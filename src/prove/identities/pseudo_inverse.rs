@@ -21,7 +21,8 @@ impl Body for Penrose {
     const NAME: &'static str = "Penrose's equations";
     const SLIP: &'static str = "the Gram matrix UᵀU is not inverted away";
     const LETTERS: &'static [&'static str] = &["rows", "columns", "rank"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 2, 1], [2, 2, 2], [3, 2, 1], [3, 2, 2], [3, 3, 1]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 2, 1], [2, 2, 2], [3, 2, 1], [3, 2, 2], [3, 3, 1], [4, 4, 1]];
+    const HEAVY: &'static [[usize; 3]] = &[[3, 3, 2], [4, 3, 2], [3, 3, 3], [4, 4, 2]];
     const RANDOM: &'static [[usize; 3]] = &[[3, 3, 2], [4, 4, 2], [5, 7, 3], [8, 8, 4], [8, 8, 7]];
 
     fn sides<F: Field>(
@@ -57,7 +58,8 @@ impl Body for AnyFactors {
     const NAME: &'static str = "the pseudo-inverse by any factors of full rank";
     const SLIP: &'static str = "the inverses of VVᵀ and UᵀU are interchanged";
     const LETTERS: &'static [&'static str] = &["rows", "columns", "rank"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 2, 2], [2, 2, 1], [3, 2, 1], [3, 2, 2], [3, 3, 1]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 2, 2], [2, 2, 1], [3, 2, 1], [3, 2, 2], [3, 3, 1], [4, 4, 1]];
+    const HEAVY: &'static [[usize; 3]] = &[[3, 3, 2], [4, 3, 2], [3, 3, 3], [4, 4, 2]];
     const RANDOM: &'static [[usize; 3]] = &[[3, 3, 2], [4, 4, 2], [5, 7, 3], [8, 8, 4]];
 
     fn sides<F: Field>(

@@ -16,7 +16,7 @@ impl Body for Starred {
     const NAME: &'static str = "the recursions of Q* and R* follow from those of Q, Ψ, R and M";
     const SLIP: &'static str = "the shared noise is left out of the gain of Q*";
     const LETTERS: &'static [&'static str] = &["n", "m", "steps"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 1], [1, 1, 2], [2, 1, 1]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 1], [1, 1, 2], [2, 1, 1], [2, 1, 2], [2, 2, 2]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 1, 2], [3, 2, 3], [4, 2, 3], [8, 3, 2]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {

@@ -17,6 +17,7 @@ impl Body for ToDeparting {
     const SLIP: &'static str = "no noise is taken to be shared after the change";
     const LETTERS: &'static [&'static str] = &["n", "m", "steps"];
     const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 1], [2, 1, 1], [1, 2, 1], [1, 1, 2]];
+    const HEAVY: &'static [[usize; 3]] = &[[2, 2, 1], [1, 1, 3]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 1, 2], [2, 2, 2], [3, 2, 3], [8, 3, 2]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
@@ -45,7 +46,8 @@ impl Body for ToArriving {
     const NAME: &'static str = "departing noise taken away by feeding readings back";
     const SLIP: &'static str = "the matrix of the transition stays A, not A − LC";
     const LETTERS: &'static [&'static str] = &["n", "m", "steps"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 2]];
+    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 1, 2], [1, 1, 3]];
+    const HEAVY: &'static [[usize; 3]] = &[[2, 1, 2], [1, 2, 2]];
     const RANDOM: &'static [[usize; 3]] = &[[2, 1, 2], [2, 2, 2], [3, 2, 3], [8, 3, 2]];
 
     fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
