@@ -1,6 +1,6 @@
 //! Covariances over fractions of fixed width: pseudo-inverse, verdicts and the symmetric update.
 
-use exact_kalman::matrix::{LdlError, Matrix};
+use exact_kalman::matrix::{Ldl, LdlError, Matrix};
 use exact_kalman::riccati::RiccatiMap;
 use exact_kalman::scalar::Scalar;
 
@@ -34,7 +34,7 @@ harness! {
         let verdict = p.ldl();
         assert!(verdict.is_ok() == is_semidefinite(&p));
         cover!(verdict.as_ref().is_ok_and(|ldl| !ldl.is_positive_definite()), "semidefinite");
-        cover!(verdict.as_ref().is_ok_and(|ldl| ldl.is_positive_definite()), "definite");
+        cover!(verdict.as_ref().is_ok_and(Ldl::is_positive_definite), "definite");
         cover!(a < 0, "a pivot below zero");
         cover!(a == 0 && b != 0, "a zero pivot beside an entry");
         if let Err(error) = verdict {

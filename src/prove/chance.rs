@@ -85,7 +85,6 @@ pub(super) fn checked<B: Body>(numbers: [usize; 3], seed: u64) -> Result<Chance,
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matrix::Matrix;
     use crate::prove::body::Sides;
     use crate::scalar::Field;
 

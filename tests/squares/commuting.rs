@@ -124,7 +124,7 @@ where
 {
     let what = format!("{} under {}", A::NAME, M::NAME);
     let counts = counted(&what, |tape| {
-        let input = Input::drawn(tape, M::entry);
+        let input = Input::drawn(&tape, M::entry);
         let Some(mapped) = input.try_map(M::image) else { return Ok(false) };
         let at_source = <A as Algorithm<M::Source>>::run(&input);
         let watched = input.try_map(|value| Some(Watched::<M>::new(value.clone()))).expect("total");

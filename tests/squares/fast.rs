@@ -22,7 +22,7 @@ fn rational_filter_commutes_with_residues() {
     for route in [Route::FractionFree, Route::Multimodular, Route::Fastest] {
         let compared = std::cell::Cell::new(0);
         let counts = counted("the rational filter", |tape| {
-            let input = Input::drawn(tape, |first, _| first.clone());
+            let input = Input::drawn(&tape, |first, _| first.clone());
             let (Ok(images), Ok(steps)) =
                 (input.path().try_map(image), filter_rational(input.path(), Effort { route, ..Effort::default() }))
             else {
@@ -52,7 +52,7 @@ fn rational_filter_commutes_with_residues() {
 #[test]
 fn integers_over_one_denominator_are_the_fractions() {
     let counts = counted("fractions", |tape| {
-        let input = Input::drawn(tape, |first, second| first + second / Rational::from_integer(7.into()));
+        let input = Input::drawn(&tape, |first, second| first + second / Rational::from_integer(7.into()));
         for matrix in [&input.a, &input.wide, &input.p] {
             let fractions = Fractions::of(matrix);
             prop_assert_eq!(&fractions.entrywise(Precision::Exact), matrix);
@@ -71,7 +71,7 @@ fn integers_over_one_denominator_are_the_fractions() {
 }
 
 /// Matrices of integers, as fractions and as integers. (The path is not used, and means nothing as integers.)
-fn of_integers(tape: Vec<i8>) -> (Input<Rational>, Input<BigInt>) {
+fn of_integers(tape: &[i8]) -> (Input<Rational>, Input<BigInt>) {
     let input = Input::drawn(tape, |first, _| first * Rational::from_integer(6.into()));
     let integers = input.try_map(|value| Some(value.numer().clone())).expect("total");
     (input, integers)
@@ -84,7 +84,7 @@ fn included(values: &[BigInt]) -> Vec<Rational> {
 /// ℤ → ℚ
 fn commutes_on_integers<A: Algorithm<Rational> + Algorithm<BigInt>>() {
     let counts = counted(A::NAME, |tape| {
-        let (fractions, integers) = of_integers(tape);
+        let (fractions, integers) = of_integers(&tape);
         let (over, within) = (<A as Algorithm<Rational>>::run(&fractions), <A as Algorithm<BigInt>>::run(&integers));
         prop_assert!(!within.undecided, "a quotient is no integer");
         prop_assert_eq!(over.plain, within.plain);
@@ -104,7 +104,7 @@ fn integers_commute() {
     commutes_on_integers::<CharacteristicPolynomials>();
     commutes_on_integers::<SymmetricPowers>();
     let counts = counted("elimination on integers", |tape| {
-        let (fractions, integers) = of_integers(tape);
+        let (fractions, integers) = of_integers(&tape);
         let over = Echelon::of(&fractions.wide, fractions.wide.columns()).expect("a field decides");
         let within = Echelon::of(&integers.wide, integers.wide.columns()).expect("divisions are exact");
         prop_assert_eq!(over.pivots(), within.pivots());

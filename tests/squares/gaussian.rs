@@ -156,7 +156,7 @@ fn expectations_commute() {
 #[test]
 fn data_are_refused_at_times() {
     let counts = super::commuting::counted("refused data", |tape| {
-        let input = Input::drawn(tape, |first, _| first.clone());
+        let input = Input::drawn(&tape, |first, _| first.clone());
         Ok(<Conditioning as Algorithm<_>>::run(&input).plain[0] == 8_000)
     });
     assert!(counts.equal > 0 && counts.vanished > 0, "{counts:?}");

@@ -50,7 +50,7 @@ fn path(tape: Vec<i8>) -> PathAhead<Rational> {
 
 impl<S: Scalar> Input<S> {
     /// The input that a tape describes.
-    pub fn drawn(tape: Vec<i8>, entry: impl Fn(&Rational, &Rational) -> S) -> Self {
+    pub fn drawn(tape: &[i8], entry: impl Fn(&Rational, &Rational) -> S) -> Self {
         let (algebra, system) = tape.split_at(tape.len().min(120));
         let tape = RefCell::new(Tape::new(algebra.to_vec()));
         let n = 1 + tape.borrow_mut().choice(3);
