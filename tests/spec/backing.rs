@@ -95,13 +95,13 @@ fn statement_of(source: &Source) -> Result<Option<(String, BTreeSet<String>, Str
     let header =
         |key: &str| source.text.lines().find_map(|line| line.strip_prefix("; ")?.strip_prefix(key)).map(str::trim);
     match header("Expect:") {
+        _ if header("Control:").is_some() => Ok(None),
         Some("unsat") => {
             let ids = named(header("Identifiers:").unwrap_or_default());
             let size = header("Size:").ok_or_else(|| format!("{name} states no size"))?;
             Ok(Some((name, ids, size.to_owned())))
         }
-        Some("sat") => Ok(None),
-        _ => Err(format!("{name} does not say what is expected")),
+        _ => Err(format!("{name} is neither a control nor expected to be unsat")),
     }
 }
 
@@ -109,7 +109,7 @@ fn statement_of(source: &Source) -> Result<Option<(String, BTreeSet<String>, Str
 fn evidence_is_read_where_it_stands() {
     let theorem = "(** AK-1, AK-2: a\n sentence: this. *)\nTheorem first n : n = n.\n(** A note: no identifier. *)\nLemma x : y.\n";
     let statement = "; Identifiers: AK-1\n; Statement: s\n; Size: 2×2\n; Expect: unsat\n";
-    let control = "; Control: c\n; Identifiers: AK-1\n; Expect: sat\n";
+    let control = "; Control: c\n; Identifiers: AK-1\n; Size: 1\n; Expect: unsat\n";
     let test = "/// AK-2: all.\n/// Domain: all of it.\n#[test]\nfn holds() {}\n/// AK-3\n#[test]\nfn other() {}\n";
     let sources = Sources {
         code: vec![],
