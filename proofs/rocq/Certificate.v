@@ -1,8 +1,8 @@
 (** * What a certificate of a step proves
 
     Beside the gain K̃ a certificate brings a matrix T. With η no less than the row sums of |TΣ̃Tᵀ − I|, w ≥ tr(T HWHᵀ Tᵀ)
-    and κ = 1 − η − w > 0 the innovation is regular, and the covariance, the mean, the gain and the quadratic form of the
-    innovation are as near to what was computed as the theorems below say. Source: EK-L7, EK-T1, EK-T2, EK-D1, EK-D3. *)
+    and κ = 1 − η − w > 0 the innovation is regular, and the covariance, the mean and the gain
+    are as near to what was computed as the theorems below say. Source: EK-L7, EK-T1, EK-T2, EK-D1. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring.
@@ -82,13 +82,13 @@ rewrite -[Sigma H V P]back; apply: pd_congruence => //.
 by rewrite row_free_unit unitmx_inv whitening_regular.
 Qed.
 
-(** EK-L7: and Σ⁻¹ ⪯ TᵀT/κ. *)
+(** EK-L7: Σ⁻¹ ⪯ TᵀT/κ. *)
 Theorem innovation_inverse : invmx (Sigma H V P) ⪯ kappa^-1 *: (T^T *m T).
 Proof.
 have uT := whitening_regular; have uTt : T^T \in unitmx by rewrite unitmx_tr.
 have uS := pd_unit innovation_pd.
 have pk : pd (kappa%:M : 'M[R]_p) by rewrite -scalemx1; apply: pdZ => //; exact: pd1.
-have := congruence_mono T^T (inverse_antitone pk whitened).
+have := congruence_mono T^T (pd_inv_antitone pk whitened).
 rewrite trmxK; set X := invmx (T *m _ *m _).
 have -> : T^T *m X *m T = invmx (Sigma H V P).
   rewrite -[LHS](mulmxK uS) -[RHS]mul1mx; congr (_ *m invmx _).
@@ -106,7 +106,7 @@ apply: le_trans w_trace; have := trace_ge0 _ (psd1 R p); rewrite -[X in \tr X]mu
 by apply/psd_congruence/psd_congruence/(within_psd gap).
 Qed.
 
-(** EK-L7: and HWHᵀ ⪯ (w/κ)Σ. *)
+(** The gap that is seen is small beside Σ: HWHᵀ ⪯ (w/κ)Σ. *)
 Theorem gap_of_innovation : H *m W *m H^T ⪯ (w / kappa) *: Sigma H V P.
 Proof.
 rewrite -[H *m W *m H^T]back -[Sigma H V P]back scalemxAl scalemxAr; apply: congruence_mono.
@@ -118,7 +118,7 @@ have -> : w%:M = (w / kappa) *: kappa%:M :> 'M[R]_p.
 by apply: loewnerZ whitened; rewrite divr_ge0 ?w_ge0 // ltW.
 Qed.
 
-(** EK-L5, EK-L7: ZHᵀΣ⁻¹HZ ⪯ (w/κ) W for the gap Z = P − P̃. *)
+(** From EK-L5 and EK-L7, ZHᵀΣ⁻¹HZ ⪯ (w/κ) W for the gap Z = P − P̃. *)
 Theorem gap_through_innovation :
   (P - Pt) *m (H^T *m invmx (Sigma H V P) *m H) *m (P - Pt) ⪯ (w / kappa) *: W.
 Proof.
@@ -169,7 +169,7 @@ Proof. by rewrite mulmxBl eL /rho /C /closed /Z /Sigma /Gamma; expand. Qed.
 
 Definition spread : 'M[R]_m := (2%:R / kappa) *: (rho *m T^T *m T *m rho^T + w *: (C *m W *m C^T)).
 
-(** EK-T1: the loss of the gain, 0 ⪯ Δ ⪯ (2/κ)(ρTᵀTρᵀ + w G̃WG̃ᵀ). *)
+(** EK-T1: the loss of the gain, (K̃ − K)Σ(K̃ − K)ᵀ, is at most (2/κ)(ρTᵀTρᵀ + w G̃WG̃ᵀ). *)
 Theorem loss_of_gain :
   (K - L) *m Sigma H V P *m (K - L)^T ⪯ spread.
 Proof.
@@ -186,7 +186,7 @@ rewrite mulrC -mulmxZl -mulmxZr; apply: congruence_mono.
 exact: gap_through_innovation symV symPt gap eta_row w_trace kappa_gt0.
 Qed.
 
-(** EK-T1: and φ(P) = J(P̃, K̃) + G̃ZG̃ᵀ − Δ, so that φ(P) is within W₊ = (1 + 2w/κ) G̃WG̃ᵀ + (2/κ) ρTᵀTρᵀ of J(P̃, K̃). *)
+(** EK-T1: φ(P) is within W₊ = (1 + 2w/κ) G̃WG̃ᵀ + (2/κ) ρTᵀTρᵀ of J(P̃, K̃). *)
 Theorem enclosed_covariance :
   within ((1 + 2%:R * w / kappa) *: (C *m W *m C^T) + (2%:R / kappa) *: (rho *m T^T *m T *m rho^T))
     (phi A H Q S V P - joseph A H Q S V Pt K).
@@ -210,7 +210,7 @@ have -> : C *m W *m C^T + spread - (C *m Z *m C^T - (K - L) *m Sigma H V P *m (K
 apply: psdD => //; apply: psdD => //; exact: psd_le h0 h3.
 Qed.
 
-(** EK-T1: and the rounded matrix with its pad keeps what is known. *)
+(** EK-T1: what is within a pad of J(P̃, K̃), as a rounded matrix is, encloses φ(P) with the pad added to W₊. *)
 Theorem enclosed_and_rounded (Pr Pad Wr : 'M[R]_m) :
   within Pad (joseph A H Q S V Pt K - Pr) ->
   (1 + 2%:R * w / kappa) *: (C *m W *m C^T) + (2%:R / kappa) *: (rho *m T^T *m T *m rho^T) + Pad ⪯ Wr ->
@@ -229,7 +229,7 @@ Hypothesis tau : (nu^T *m si *m nu) 0 0 <= tau2.
 Let err := A *m xt + b + K *m nut - xr.
 
 (** EK-T2: the error of the mean after a step, rounded by err, is in the ellipsoid
-    (1 + α) G̃EG̃ᵀ + (1 + 1/α)(3(wτ²/κ) G̃WG̃ᵀ + 3(τ²/κ) ρTᵀTρᵀ + 3εεᵀ). *)
+    (1 + α) G̃EG̃ᵀ + (1 + 1/α)(3(wτ²/κ) G̃WG̃ᵀ + 3(τ²/κ) ρTᵀTρᵀ + 3εεᵀ), for any τ² ≥ νᵀΣ⁻¹ν; how τ² is found is not here. *)
 Theorem enclosed_mean :
   let e := A *m x + b + L *m nu - xr in
   e *m e^T ⪯ (1 + alpha) *: (C *m E *m C^T)
@@ -288,7 +288,7 @@ Qed.
 
 End Mean.
 
-(** EK-D1: (K − K̃)ᵢⱼ² ≤ Δᵢᵢ (TᵀT)ⱼⱼ/κ, and Δ is bounded by EK-T1. *)
+(** EK-D1: (K − K̃)ᵢⱼ² ≤ (2/κ²)(ρTᵀTρᵀ + w G̃WG̃ᵀ)ᵢᵢ (TᵀT)ⱼⱼ. *)
 Theorem enclosed_gain i j : (L - K) i j ^+ 2 <= spread i i * (kappa^-1 * (T^T *m T) j j).
 Proof.
 pose u : 'rV[R]_p := row i ((K - L) *m Sigma H V P); pose v : 'rV[R]_p := delta_mx 0 j.

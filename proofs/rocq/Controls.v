@@ -7,6 +7,7 @@ From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring.
 From Kalman Require Import PositiveSemidefinite PseudoInverse Joint Riccati ParallelSum Trace Stein FixedPoint.
 From Kalman Require Import UncorrelatedNoise RandomRiccati.
+From Kalman Require Gaps Enclosure.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -168,3 +169,44 @@ by rewrite !mxE /= mulr1n pnatr_eq0.
 Qed.
 
 End Controls.
+
+Section Certificates.
+Variable R : realFieldType.
+Let half : R := 2%:R^-1.
+(** Control: the hypotheses of a certificate of a steady state can be met. *)
+Theorem control_steady_certificate :
+  let A : 'M[R]_1 := 1%:M in let Q : 'M[R]_1 := (half * half)%:M in let h : 'M[R]_1 := half%:M in
+  let C := Enclosure.closed A 1%:M h in
+  let rho := h *m Enclosure.Sigma 1%:M h h - Enclosure.Gamma A 1%:M 0 h in
+  [/\ forall i, \sum_j `|(1%:M *m Enclosure.Sigma 1%:M h h *m (1%:M : 'M[R]_1)^T - 1%:M) i j| <= 0,
+      \tr (1%:M *m (1%:M *m h *m (1%:M : 'M[R]_1)^T) *m (1%:M : 'M[R]_1)^T) <= half,
+      0 < 1 - 0 - half &
+      Gaps.within (h - ((1 + 2%:R * half / (1 - 0 - half)) *: (C *m h *m C^T)
+                   + (2%:R / (1 - 0 - half)) *: (rho *m (1%:M : 'M[R]_1)^T *m 1%:M *m rho^T)))
+        (Enclosure.joseph A 1%:M Q 0 h h h - h)].
+Proof.
+have two : 2%:R != 0 :> R by rewrite pnatr_eq0.
+have hh : half + half = 1 by rewrite /half; field.
+have h0 : 0 < half by rewrite invr_gt0 ltr0n.
+have e1 : 1 - 0 - half = half by rewrite subr0 -hh addrK.
+move=> A Q h C rho.
+have eS : Enclosure.Sigma 1%:M h h = 1%:M by rewrite /Enclosure.Sigma trmx1 mulmx1 mul1mx /h -scalarD hh.
+have eG : Enclosure.Gamma A 1%:M 0 h = h by rewrite /Enclosure.Gamma /A trmx1 !mulmx1 mul1mx addr0.
+have er : rho = 0 by rewrite /rho eS eG mulmx1 subrr.
+have eC : C = h by rewrite /C /Enclosure.closed /A mulmx1 /h -scalarB -hh addrK.
+have eJ : Enclosure.joseph A 1%:M Q 0 h h h = h.
+  rewrite /Enclosure.joseph -/C eC /Enclosure.noise trmx0 mul0mx mulmx0 !subr0 /Q /h tr_scalar_mx -!scalar_mxM -!scalarD.
+  by congr (_%:M); rewrite /half; field.
+split.
+- by move=> i; rewrite eS trmx1 !mulmx1 subrr big1 // => j _; rewrite mxE normr0.
+- by rewrite trmx1 !mulmx1 !mul1mx mxtrace_scalar.
+- by rewrite e1.
+rewrite e1 er !mul0mx scaler0 addr0 eC eJ subrr.
+have p : psd (h - (1 + 2%:R * half / half) *: (h *m h *m h^T)).
+  rewrite /h tr_scalar_mx -!scalar_mxM scale_scalar_mx -scalarB; apply: scalar_psd.
+  have -> : half - (1 + 2%:R * half / half) * (half * half * half) = half * half * half.
+    by rewrite /half; field.
+  by rewrite !mulr_ge0 // ltW.
+by split; rewrite ?sub0r ?opprK // subr0.
+Qed.
+End Certificates.

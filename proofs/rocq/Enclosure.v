@@ -10,11 +10,12 @@
 
     What is known of the exact covariance P is within W (P − P̃), of the exact mean (x̂ − x̃)(x̂ − x̃)ᵀ ⪯ E. The gain K̃ and the
     matrix T are anything: what they are worth is what κ = 1 − η − w says. P and P̃ may be indefinite.
-    Source: EK-L1 to EK-T2, EK-D1, EK-D3. *)
+    Source: EK-L1 to EK-L4. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From mathcomp Require Import ring.
 From Kalman Require Import MatrixRing PositiveSemidefinite PseudoInverse Joint Gaps.
+From Kalman Require Riccati.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -48,7 +49,7 @@ Proof. by rewrite residual_block /noise; sums. Qed.
 Lemma josephD P Z K : joseph (P + Z) K = joseph P K + closed K *m Z *m (closed K)^T.
 Proof. by rewrite /joseph; expand. Qed.
 
-(** EK-L4: J(·, K) is monotone, on all symmetric matrices. *)
+(** J(·, K) is monotone, on all symmetric matrices. *)
 Theorem joseph_mono P P' K : P ⪯ P' -> joseph P K ⪯ joseph P' K.
 Proof.
 move=> h; have -> : joseph P' K - joseph P K = closed K *m (P' - P) *m (closed K)^T by rewrite /joseph; expand.
@@ -134,14 +135,68 @@ move=> dP dP' eK; have := phi_le_joseph K dP'; have /(joseph_least _ dP) <- := e
 by congr psd; rewrite /joseph; expand.
 Qed.
 
-(** EK-L4: φ is concave where it is defined. *)
-Theorem phi_concave P P' a : 0 <= a -> a <= 1 -> domain P -> domain P' -> domain (a *: P + (1 - a) *: P') ->
+(** EK-L4: (A − K′H)(P′ − P)(A − K′H)ᵀ ⪯ φ(P′) − φ(P) for a gain K′ with K′Σ = Γ at P′, without an order between P and P′. *)
+Theorem phi_bracket_low P P' K : domain P -> domain P' -> K *m Sigma P' = Gamma P' ->
+  closed K *m (P' - P) *m (closed K)^T ⪯ phi P' - phi P.
+Proof.
+move=> d d' eK; have := phi_bracket d' d eK.
+have -> : P - P' = - (P' - P) by rewrite opprB.
+rewrite mulmxN mulNmx; set a := _ *m _ *m _.
+by have -> : - a - (phi P - phi P') = phi P' - phi P - a by rewrite opprB addrC.
+Qed.
+
+Lemma domain_convex P P' a : 0 <= a -> a <= 1 -> domain P -> domain P' ->
+  domain (a *: P + (1 - a) *: P').
+Proof.
+move=> a0 a1 [sP pS eG] [sP' pS' eG'].
+have b0 : 0 <= 1 - a by rewrite subr_ge0.
+have eS : Sigma (a *: P + (1 - a) *: P') = a *: Sigma P + (1 - a) *: Sigma P'.
+  by rewrite /Sigma; multiply; sums.
+have eGm : Gamma (a *: P + (1 - a) *: P') = a *: Gamma P + (1 - a) *: Gamma P'.
+  by rewrite /Gamma; multiply; sums.
+have pm : psd (a *: Sigma P + (1 - a) *: Sigma P') by apply: psdD; apply: psdZ.
+split; first by rewrite !(trmxD, trmxZ) sP sP'.
+  by rewrite eS.
+rewrite eS eGm; set M := _ + _ *: Sigma P'; rewrite -/M in pm.
+set k := 1%:M - M^† *m M.
+suff ker (X : 'M[R]_n) c : psd (Sigma X) -> Gamma X *m (Sigma X)^† *m Sigma X = Gamma X ->
+    0 <= c -> c *: Sigma X ⪯ M -> c *: Gamma X *m k = 0.
+  have e : (a *: Gamma P + (1 - a) *: Gamma P') *m k = 0.
+    rewrite mulmxDl !ker ?addr0 // /M.
+      by rewrite addrK; apply: psdZ.
+    by rewrite addrAC subrr add0r; apply: psdZ.
+  by move: e; rewrite mulmxBr mulmx1 mulmxA => /eqP; rewrite subr_eq0 => /eqP <-.
+move=> pX eX c0 le; rewrite -scalemxAl -eX.
+suff z : c *: (Sigma X *m k) = 0 by rewrite -!mulmxA scalemxAr scalemxAr z !mulmx0.
+have pc : psd (c *: Sigma X) by apply: psdZ.
+have z2 : k^T *m (c *: Sigma X) *m k = 0.
+  have top : k^T *m M *m k = 0.
+    by rewrite -mulmxA /k mulmxBr mulmx1 mulmxA mulmx_pseudo_inverse subrr mulmx0.
+  apply: loewner_antisym.
+    by have := congruence_mono k^T le; rewrite trmxK top.
+  by rewrite subr0; have := psd_congruence k^T pc; rewrite trmxK.
+rewrite scalemxAl -[LHS]trmxK; apply: (canLR (@trmxK _ _ _)); rewrite trmx0 trmx_mul (psd_sym pc).
+apply/row_matrixP => i; rewrite row0 row_mul; apply: psd_kernel => //.
+have : form (k^T *m (c *: Sigma X) *m k^T^T) (delta_mx 0 i) (delta_mx 0 i) = 0 by rewrite trmxK z2 form0.
+by rewrite form_congr -rowE.
+Qed.
+
+(** EK-L4: φ is concave. *)
+Theorem phi_concave P P' a : 0 <= a -> a <= 1 -> domain P -> domain P' ->
   a *: phi P + (1 - a) *: phi P' ⪯ phi (a *: P + (1 - a) *: P').
 Proof.
-move=> a0 a1 dP dP' d; case: (d) => _ _ /(joseph_least _ d) <-; set K := Gamma _ *m _.
+move=> a0 a1 dP dP'; have d := domain_convex a0 a1 dP dP'; case: (d) => _ _ /(joseph_least _ d) <-; set K := Gamma _ *m _.
 have -> : joseph (a *: P + (1 - a) *: P') K = a *: joseph P K + (1 - a) *: joseph P' K.
   by rewrite /joseph; expand.
 by apply: loewnerD; apply: loewnerZ; rewrite ?subr_ge0 //; apply: phi_le_joseph.
 Qed.
 
 End Step.
+
+(** For a square A and P ⪰ 0 the map is that of Riccati.v. *)
+Theorem phi_riccati (R : realFieldType) n p (A : 'M[R]_n) (H : 'M[R]_(p, n)) Q S V P :
+  psd (block_mx Q S S^T V) -> psd P -> phi A H Q S V P = Riccati.riccati A H (block_mx Q S S^T V) P.
+Proof.
+move=> pN pP; have [-> ->] := Riccati.riccatiE A H pN pP.
+by rewrite block_mxKul block_mxKur block_mxKdr.
+Qed.

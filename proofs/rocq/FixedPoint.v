@@ -66,7 +66,7 @@ Qed.
 Theorem fixed_contraction T : psd T -> T = phi T -> contraction (closed A C (riccati_gain A C N T)).
 Proof. by move=> pT eT; exists T => //; apply: pd_le pdN _; apply: fixed_certificate. Qed.
 
-(** AK-T2.3: with correlated noises and singular innovations too, there is at most one semidefinite fixed point. *)
+(** AK-T2.3: the uniqueness: with correlated noises and singular innovations too, there is at most one semidefinite fixed point. *)
 Theorem fixed_point_unique T1 T2 : psd T1 -> psd T2 -> T1 = phi T1 -> T2 = phi T2 -> T1 = T2.
 Proof.
 move=> p1 p2 e1 e2; apply/eqP; rewrite -subr_eq0; apply/eqP.
@@ -113,7 +113,7 @@ rewrite scalerA opprD addrA addrAC -scalerBl.
 by have -> : b - (b - 1) * e = 1 + (b - 1) * (1 - e) by ring.
 Qed.
 
-(** AK-T2.3: convergence from any P ⪯ bT: (1 − (1 − e)ᵏ)T ⪯ φᵏ(P) ⪯ (1 + (b − 1)(1 − e)ᵏ)T. *)
+(** AK-T2.3: if there is a fixed point T, every orbit closes in on it: from any P ⪯ bT, (1 − (1 − e)ᵏ)T ⪯ φᵏ(P) ⪯ (1 + (b − 1)(1 − e)ᵏ)T. *)
 Theorem convergence b P k : psd P -> 1 <= b -> P ⪯ b *: T ->
   (1 - (1 - e) ^+ k) *: T ⪯ iter k phi P /\ iter k phi P ⪯ (1 + (b - 1) * (1 - e) ^+ k) *: T.
 Proof.

@@ -79,7 +79,7 @@ move=> pX pY; move: X pX; apply: psd_ind => [|X h c _ c0 IH]; first by rewrite m
 by rewrite mulmxDl mxtraceD mulmxZl mxtraceZ trace_square addr_ge0 // mulr_ge0 // pY.2.
 Qed.
 
-(** and a semidefinite matrix is at most its trace. *)
+(** A semidefinite matrix is at most its trace. *)
 Theorem psd_le_trace n (X : 'M[R]_n) : psd X -> X ⪯ (\tr X)%:M.
 Proof.
 move=> pX; split=> [|x]; first by rewrite trmxD trmxN tr_scalar_mx (psd_sym pX).
@@ -98,19 +98,6 @@ End SumsOfSquares.
 Section Order.
 Variables (R : realFieldType) (n : nat).
 Implicit Types A B W Z : 'M[R]_n.
-
-(** Inversion reverses the order. *)
-Theorem inverse_antitone A B : pd A -> A ⪯ B -> invmx B ⪯ invmx A.
-Proof.
-move=> pA AB; have pB := pd_le pA AB; have [uA uB] := (pd_unit pA, pd_unit pB).
-have [sA sB] := (pd_sym (pd_inv pA), pd_sym (pd_inv pB)).
-have -> : invmx A - invmx B = (invmx A - invmx B) *m A *m (invmx A - invmx B)^T
-                            + invmx B *m (B - A) *m (invmx B)^T.
-  move: (mulVmx uA) (mulmxV uA) (mulVmx uB) => aA Aa bB.
-  move: (invmx A) (invmx B) sA sB aA Aa bB => a b sA sB aA Aa bB.
-  rewrite !(trmxD, trmxN) sA sB; multiply; rewrite aA bB !mul1mx -(mulmxA b A a) Aa mulmx1; sums.
-by apply: psdD; apply: psd_congruence => //; apply: pd_psd.
-Qed.
 
 Lemma double_inj (A B : 'M[R]_n) : A + A = B + B -> A = B.
 Proof.

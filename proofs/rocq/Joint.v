@@ -128,7 +128,7 @@ rewrite [(_ *m Jyy J)^T]trmx_mul psd_sym; last exact: psd_Jyy.
 by rewrite !mulmxA -!(mulmxA (K - gain J)) mulmx_pseudo_inverse.
 Qed.
 
-(** CKS-L3i: the conditional covariance is semidefinite. *)
+(** The conditional covariance is semidefinite. *)
 Theorem schur_psd J : psd J -> psd (schur J).
 Proof. by move=> pJ; rewrite -residual_gain //; apply: psd_residual. Qed.
 

@@ -97,7 +97,7 @@ rewrite mul_row_block !mulmx0 !add0r tr_row_mx mul_row_col.
 by rewrite linearN /= !(mulmx0, mul0mx, mulmxN, mulNmx) add0r opprK.
 Qed.
 
-(** AK-Par: (I − K)F(I − K)ᵀ + KGKᵀ is at least F:G for every K. *)
+(** For every K, (I − K)F(I − K)ᵀ + KGKᵀ is at least F:G. *)
 Theorem parallel_sum_variational F G K : psd F -> psd G ->
   F ∥ G ⪯ (1%:M - K) *m F *m (1%:M - K)^T + K *m G *m K^T.
 Proof.

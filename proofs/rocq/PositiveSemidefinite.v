@@ -158,11 +158,11 @@ Proof.
 by move=> a0 [sA pA]; split=> [|x nx]; rewrite ?linearZ /= ?sA // formZ mulr_gt0 ?pA.
 Qed.
 
-(** AK-Order: the order of Loewner is reflexive; that it is an order are this and the next two theorems. *)
+(** The order of Loewner is reflexive. *)
 Theorem loewner_refl A : A ⪯ A.
 Proof. by rewrite subrr; apply: psd0. Qed.
 
-(** AK-Order: the order of Loewner is transitive. *)
+(** The order of Loewner is transitive. *)
 Theorem loewner_trans B A C : A ⪯ B -> B ⪯ C -> A ⪯ C.
 Proof. by move=> ab bc; have := psdD bc ab; rewrite addrA subrK. Qed.
 
@@ -175,7 +175,7 @@ rewrite formDl !formDr !z add0r addr0 (form_sym y x sA) -mulr2n => /eqP.
 by rewrite mulrn_eq0 => /eqP.
 Qed.
 
-(** AK-Order: the order of Loewner is antisymmetric. *)
+(** The order of Loewner is antisymmetric. *)
 Theorem loewner_antisym A B : A ⪯ B -> B ⪯ A -> A = B.
 Proof.
 move=> ab ba; apply/eqP; rewrite -subr_eq0; apply/eqP/psd_opp_eq0 => //.

@@ -66,7 +66,7 @@ Qed.
 Lemma psd_filter_step P : psd P -> psd (filter_step P).
 Proof. by apply: riccati_psd; apply: psd_filter_noise. Qed.
 
-(** WG-52: any other gain gives at least as much. *)
+(** WG-52: any other gain gives at least as much as that of the filter. *)
 Theorem filter_optimal P K : psd P -> filter_step P ⪯ joseph F H filter_noise P K.
 Proof. by apply: riccati_upper; apply: psd_filter_noise. Qed.
 
@@ -77,7 +77,7 @@ apply: psdD => //; have := psd_congruence (F *m L) psdV.
 by rewrite (trmx_mul F) !mulmxA.
 Qed.
 
-(** WG-Delta-bound: FLRLᵀFᵀ ⪯ Q̄ ⪯ P₊, which bounds the gain FL by P₊. *)
+(** What the reading and the state add stays below what is left: FLRLᵀFᵀ ⪯ Q̄ ⪯ P₊. *)
 Theorem filter_load_bounds P : psd P ->
   F *m filter_gain P *m V *m (F *m filter_gain P)^T ⪯ filter_load P /\ filter_load P ⪯ filter_step P.
 Proof.
@@ -94,11 +94,11 @@ move=> pP; have := riccati_ge_noise F H psd_filter_noise pP.
 by rewrite schur_block !mul0mx subr0.
 Qed.
 
-(** WG-T2.1-proof: so P₊⁻¹ ⪯ Q⁻¹ if Q ≻ 0. *)
+(** If Q ≻ 0, then P₊⁻¹ ⪯ Q⁻¹. *)
 Theorem filter_inverse_bound P : pd Q -> psd P -> invmx (filter_step P) ⪯ invmx Q.
 Proof. by move=> pQ pP; apply: pd_inv_antitone => //; apply: filter_ge_noise. Qed.
 
-(** WG-L2.2: one factor: P₊ ⪯ cQ̄ gives F(I − LH)P(I − LH)ᵀFᵀ ⪯ (1 − 1/c)P₊, the sharp form. *)
+(** WG-L2.2: one factor of the bound: P₊ ⪯ cQ̄ gives F(I − LH)P(I − LH)ᵀFᵀ ⪯ (1 − 1/c)P₊, the sharp form. *)
 Theorem closed_loop_factor P c : psd P -> 0 < c -> filter_step P ⪯ c *: filter_load P ->
   filter_loop P *m P *m (filter_loop P)^T ⪯ (1 - c^-1) *: filter_step P.
 Proof.
@@ -109,7 +109,7 @@ have -> : filter_loop P *m P *m (filter_loop P)^T = filter_step P - filter_load 
 by rewrite scalerBl scale1r opprB addrC addrA subrK.
 Qed.
 
-(** WG-L2.2: with 1 + c in the place of c, as in print. *)
+(** WG-L2.2: one factor as printed: P₊ ⪯ cQ̄ gives F(I − LH)P(I − LH)ᵀFᵀ ⪯ (1 − 1/(1 + c))P₊. *)
 Theorem closed_loop_factor_printed P c : psd P -> 0 <= c -> filter_step P ⪯ c *: filter_load P ->
   filter_loop P *m P *m (filter_loop P)^T ⪯ (1 - (1 + c)^-1) *: filter_step P.
 Proof.
@@ -118,7 +118,7 @@ apply: loewner_trans le _; rewrite -scalerBl addrK scale1r.
 exact: psd_filter_load.
 Qed.
 
-(** WG-T3.1: a filter that believes in noise N and covariance P, where in truth N' ⪯ cN and E ⪯ cP, errs after the step by at most cP₊. *)
+(** A filter that believes in noise N and covariance P, where in truth N' ⪯ cN and E ⪯ cP, errs after the step by at most cP₊. *)
 Theorem wrong_noise (N' : 'M[R]_(d + m)) P E c : psd P -> N' ⪯ c *: filter_noise -> E ⪯ c *: P ->
   joseph F H N' E (riccati_gain F H filter_noise P) ⪯ c *: filter_step P.
 Proof.
@@ -137,7 +137,7 @@ Fixpoint transition M k : 'M[R]_d := if k is k'.+1 then M k' *m transition M k' 
 
 Fixpoint decay c k : R := if k is k'.+1 then decay c k' * (1 - (c k')^-1) else 1.
 
-(** WG-L2.2: the product of the factors along a path. *)
+(** WG-L2.2: the factors multiply along a path: M(k−1)⋯M(0) P(0) (M(k−1)⋯M(0))ᵀ ⪯ ∏ (1 − 1/c(i)) P(k). *)
 Theorem closed_loop_product M P c k :
   (forall i, 1 <= c i) -> (forall i, M i *m P i *m (M i)^T ⪯ (1 - (c i)^-1) *: P i.+1) ->
   transition M k *m P 0%N *m (transition M k)^T ⪯ decay c k *: P k.
@@ -179,7 +179,7 @@ Fixpoint filter_path P0 k := if k is k'.+1 then riccati (F k') (H k') (N k') (fi
 Fixpoint observer_path (K : nat -> 'M[R]_(d, m)) P0 k :=
   if k is k'.+1 then joseph (F k') (H k') (N k') (observer_path K P0 k') (K k') else P0.
 
-(** WG-optimality: no recursive observer, whatever its gains, has a smaller error covariance than the filter. *)
+(** No observer that follows the recursion of the filter with other gains has a smaller error covariance. *)
 Theorem filter_beats_observers K P0 k : psd P0 -> filter_path P0 k ⪯ observer_path K P0 k.
 Proof.
 move=> pP; have pk i : psd (filter_path P0 i) by elim: i => //= i; apply: riccati_psd.

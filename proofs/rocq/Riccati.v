@@ -97,7 +97,7 @@ move=> /psd_stack pJ; split; last by rewrite /riccati_gain /gain stack_xy stack_
 by rewrite /riccati /schur JyxE // -stack_xy -stack_xx.
 Qed.
 
-(** EK-L1: with the gain of the step, the form of Joseph is the map itself. *)
+(** EK-L3: with the gain of the step, the form of Joseph is the map itself. *)
 Theorem riccati_joseph P : psd P -> riccati P = joseph P (riccati_gain P).
 Proof. by move=> /psd_stack pJ; rewrite /joseph residual_gain. Qed.
 
@@ -106,7 +106,7 @@ Theorem riccati_lyapunov P : psd P ->
   riccati P = closed (riccati_gain P) *m P *m (closed (riccati_gain P))^T + residual N (riccati_gain P).
 Proof. by move=> pP; rewrite riccati_joseph // josephE. Qed.
 
-(** SM-cone: covariances remain covariances. *)
+(** Covariances remain covariances. *)
 Theorem riccati_psd P : psd P -> psd (riccati P).
 Proof. by move=> pP; apply/schur_psd/psd_stack. Qed.
 
@@ -153,7 +153,7 @@ move=> a0 a1 pP; have e : riccati 0 = schur N by rewrite /riccati /stack mulmx0 
 have := riccati_concave a0 a1 pP (psd0 R n); by rewrite scaler0 addr0 e.
 Qed.
 
-(** EK-L4: the difference exactly: φ(P) − φ(T) = D₁(P − T)D₂ᵀ with the closed loops D₁ of P and D₂ of T. *)
+(** The difference exactly: φ(P) − φ(T) = D₁(P − T)D₂ᵀ with the closed loops D₁ of P and D₂ of T. *)
 Theorem riccati_difference P T : psd P -> psd T ->
   riccati P - riccati T = closed (riccati_gain P) *m (P - T) *m (closed (riccati_gain T))^T.
 Proof.
@@ -224,7 +224,7 @@ Theorem arriving_yy P :
   Jyy (arriving_stack P) = C *m A *m P *m A^T *m C^T + (F + C *m D) *m (F + C *m D)^T.
 Proof. by rewrite stack_yy arriving_noise_blocks block_mxKdr (trmx_mul C A) mulmxA. Qed.
 
-(** CKS-11, CKS-K: it is the bracket CRCᵀ + FFᵀ + CDFᵀ + FDᵀCᵀ of the gain. *)
+(** CKS-11: it is the bracket CRCᵀ + FFᵀ + CDFᵀ + FDᵀCᵀ of the gain. *)
 Theorem arriving_yy_form P :
   Jyy (arriving_stack P) = C *m predicted P *m C^T + F *m F^T + C *m D *m F^T + F *m D^T *m C^T.
 Proof.
@@ -234,7 +234,12 @@ rewrite -!addrA; congr (_ + _); rewrite [RHS]addrCA; congr (_ + _).
 by rewrite [LHS]addrA [LHS]addrC (addrC c).
 Qed.
 
-(** CKS-12, CKS-L3i: P₊ = R − Pxy Pyy⁺ Pyx. *)
+(** CKS-K: K = (RCᵀ + DFᵀ)(CRCᵀ + FFᵀ + CDFᵀ + FDᵀCᵀ)⁺ is the gain of the step. *)
+Theorem arriving_gain P : gain (arriving_stack P) =
+  (predicted P *m C^T + D *m F^T) *m (C *m predicted P *m C^T + F *m F^T + C *m D *m F^T + F *m D^T *m C^T)^†.
+Proof. by rewrite /gain arriving_xy_form arriving_yy_form. Qed.
+
+(** CKS-12: the Schur complement, which is how P₊ is defined here, is R − Pxy Pyy⁺ Pyx. *)
 Theorem arriving_schur P : arriving P =
   predicted P - Jxy (arriving_stack P) *m (Jyy (arriving_stack P))^† *m Jyx (arriving_stack P).
 Proof.

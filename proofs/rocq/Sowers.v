@@ -47,11 +47,11 @@ Definition M t : 'M[F]_n := \sum_(s < t) (Psi s)^T *m (H s)^T *m invmx (Sv s) *m
 Definition Qs t : 'M[F]_n := Q t + Psi t.
 Definition Rs t : 'M[F]_n := M t - Rm t.
 
-(** SM-2.1: the recursion of P with J and the gain of SM-2.2. *)
+(** The recursion that defines P, with J and G named. *)
 Theorem covariance_step t : P t.+1 = A t *m P t *m (A t)^T - G t *m invmx (J t) *m (G t)^T + Sw t.
 Proof. by []. Qed.
 
-(** SM-4.5: the recursion of M. *)
+(** SM-4.5: M₊ = M + ΨᵀHᵀ(Σᵛ)⁻¹HΨ, for M as a sum. *)
 Theorem information_step t : M t.+1 = M t + (Psi t)^T *m (H t)^T *m invmx (Sv t) *m H t *m Psi t.
 Proof. by rewrite /M big_ord_recr. Qed.
 
@@ -59,6 +59,7 @@ Proof. by rewrite /M big_ord_recr. Qed.
 Theorem slope_step t : Qs t.+1 = (A t - G t *m invmx (J t) *m H t) *m Qs t.
 Proof. by rewrite /Qs /=; expand. Qed.
 
+(** SM-4.6: Q*(0) = I. *)
 Theorem slope_start : Qs 0 = 1%:M.
 Proof. by rewrite /Qs /= add0r. Qed.
 
@@ -66,13 +67,15 @@ Proof. by rewrite /Qs /= add0r. Qed.
 Theorem precision_step t : Rs t.+1 = Rs t + (Qs t)^T *m (H t)^T *m invmx (J t) *m H t *m Qs t.
 Proof. by rewrite /Rs information_step /Qs /=; sums. Qed.
 
+(** SM-4.7: R*(0) = 0. *)
 Theorem precision_start : Rs 0 = 0.
 Proof. by rewrite /Rs /M big_ord0 subr0. Qed.
 
-(** SM-2.3: Q(1) = 0 always. *)
+(** The two gains agree at the start. *)
 Theorem cross_covariance_first : Swv 0 *m invmx (Sv 0) = G 0 *m invmx (J 0).
 Proof. by rewrite /G /J /= !(mulmx0, mul0mx) !add0r. Qed.
 
+(** SM-2.3: Q(1) = 0, whatever the model. *)
 Theorem Q_first : Q 1 = 0.
 Proof. by rewrite /= -/(G 0) -cross_covariance_first mulmx0 !add0r mulmx1 addNr. Qed.
 
@@ -87,12 +90,12 @@ Fixpoint linear t : 'cV[F]_n :=
       + (Q s + Psi s)^T *m (H s)^T *m invmx (J s) *m y s
   else 0.
 
-(** SM-4.8: the recursion of B̄ in the slope. *)
+(** SM-4.8: B̄₊ = B̄ + Q*ᵀHᵀJ⁻¹(Y − HX̄). *)
 Theorem linear_step t :
   linear t.+1 = linear t + (Qs t)^T *m (H t)^T *m invmx (J t) *m (y t - H t *m mean t).
 Proof. by rewrite /Qs /=; expand. Qed.
 
-(** SM-2.6: the prediction from the start ξ = z is X̄ + Q*z: it follows the predictor with the same gain. *)
+(** SM-4.6: Q* is the slope in the start: X̄ + Q*z follows the predictor with the same gain, for every z. *)
 Theorem prediction_given_start (z : 'cV[F]_n) t :
   mean t.+1 + Qs t.+1 *m z =
   A t *m (mean t + Qs t *m z) + G t *m invmx (J t) *m (y t - H t *m (mean t + Qs t *m z)).
@@ -116,11 +119,11 @@ Fixpoint noise_part t : 'cV[F]_n := if t is s.+1 then A s *m noise_part s + plan
 Theorem parts_add_up t : state t = noise_part t + initial_part t.
 Proof. by elim: t => [|t IH] /=; [rewrite addrC subrK | rewrite IH /plant_noise; expand]. Qed.
 
-(** SM-2.19, SM-2.20: Y = HX + V with V = V° + HZ. *)
+(** SM-2.19: Y = HX + V with V = V° + HZ. *)
 Theorem reading_of_noise_part t : reading t = H t *m noise_part t + (Vo t + H t *m initial_part t).
 Proof. by rewrite /reading parts_add_up; expand. Qed.
 
-(** SM-3.7: the state in the new noise. *)
+(** SM-3.7: X₊ + Z₊ = AX + (A − Σʷᵛ(Σᵛ)⁻¹H)Z + W + Cφ, in the new noise W. *)
 Theorem state_in_new_noise t : noise_part t.+1 + initial_part t.+1 =
   A t *m noise_part t + (A t - Swv t *m invmx (Sv t) *m H t) *m initial_part t + plant_noise t + C t *m f t.
 Proof. by rewrite /=; expand. Qed.
@@ -151,7 +154,7 @@ Definition inverse_exponent T : 'M[F]_1 :=
   \sum_(s < T) ((Z s)^T *m (H s)^T *m invmx (Sv s) *m Vo s
     + 2%:R^-1 *: ((Z s)^T *m (H s)^T *m invmx (Sv s) *m H s *m Z s)).
 
-(** SM-4.11: the step of B. *)
+(** SM-4.11: B₊ = B + ΨᵀHᵀ(Σᵛ)⁻¹V, for B as a sum. *)
 Theorem statistic_step T : statistic T.+1 = statistic T + (Psi T)^T *m (H T)^T *m invmx (Sv T) *m V T.
 Proof. by rewrite /statistic big_ord_recr. Qed.
 
@@ -166,3 +169,15 @@ Qed.
 End Exponent.
 
 End Statistics.
+
+(** SM-4.3: the estimate with Δ⁻¹ is the one without: (R + Δ⁻¹)⁻¹(B + Δ⁻¹μ) = (I + ΔR)⁻¹(ΔB + μ), R and B with their star and bar. *)
+Theorem inverse_free_estimate (F : fieldType) n (Delta R : 'M[F]_n) (B mu : 'cV[F]_n) :
+  Delta \in unitmx -> 1%:M + Delta *m R \in unitmx ->
+  invmx (R + invmx Delta) *m (B + invmx Delta *m mu) = invmx (1%:M + Delta *m R) *m (Delta *m B + mu).
+Proof.
+move=> uD uS.
+have e : R + invmx Delta = invmx Delta *m (1%:M + Delta *m R) by rewrite mulmxDr mulmx1 mulKmx // addrC.
+have uE : R + invmx Delta \in unitmx by rewrite e unitmx_mul unitmx_inv uD.
+apply: (can_inj (mulKmx uE)); rewrite mulKVmx // {1}e -mulmxA mulKVmx //.
+by rewrite mulmxDr mulKmx.
+Qed.

@@ -30,7 +30,7 @@ Let rho := K *m Sigma H V St - Gamma A H S St.
 Let W := (1 + 2%:R * w / kappa) *: (C *m E *m C^T) + (2%:R / kappa) *: (rho *m T^T *m T *m rho^T).
 Hypothesis certificate : within (E - W) (joseph A H Q S V St K - St).
 
-(** EK-T5: φ maps {P : −E ⪯ P − S̃ ⪯ E} into itself, and Σ is definite on it. *)
+(** EK-T5: φ maps {P : −E ⪯ P − S̃ ⪯ E} into itself, and Σ is definite on it; that a fixed point is there needs limits. *)
 Theorem maps_into_itself P : within E (P - St) ->
   within E (phi A H Q S V P - St) /\ pd (Sigma H V P).
 Proof.

@@ -228,7 +228,7 @@ move=> /eigenvalueP[x ex nx]; apply/eigenvalueP; exists (x *m N^T).
 by apply: contraNneq nx => xN; apply/eqP/(row_free_inj fN); rewrite xN mul0mx.
 Qed.
 
-(** The eigenvector, in its real and imaginary parts u and v: Dᵀx = (a + ib)x with x = u + iv. *)
+(** The eigenvector, in its real and imaginary parts u and v: xDᵀ = (a + ib)x with the row x = u + iv. *)
 Section Eigenvector.
 Variables (R : realFieldType) (n : nat).
 

@@ -25,11 +25,11 @@ Section Filter.
 Variables (R : realFieldType) (n : nat).
 Implicit Types A V W S P : 'M[R]_n.
 
-(** AK-1.4b, AK-1.4c: with Δ = S(S + W)⁺, P = (I − Δ)S is S:W. *)
+(** AK-1.4c: with Δ = S(S + W)⁺, P = (I − Δ)S is S:W. *)
 Theorem filtered_covariance S W : psd S -> psd W -> (1%:M - S *m (S + W)^†) *m S = S ∥ W.
 Proof. by move=> pS pW; rewrite parallel_sum_subtractive // mulmxBl mul1mx. Qed.
 
-(** AK-1.4a, AK-1.4c: S = APAᵀ + V ⪰ 0 and P = S:W ⪰ 0 from any P(0) ⪰ 0. *)
+(** A step keeps covariances semidefinite: S = APAᵀ + V ⪰ 0 and P = S:W ⪰ 0 from any P(0) ⪰ 0. *)
 Theorem filter_psd A V W P : psd V -> psd W -> psd P ->
   psd (A *m P *m A^T + V) /\ psd ((A *m P *m A^T + V) ∥ W).
 Proof.
@@ -45,7 +45,7 @@ Proof.
 by rewrite addr0 mulmxBl mul1mx mulmx_pseudo_inverse subrr mulmx0 mul0mx add0r addr0.
 Qed.
 
-(** AK-5-G: the transition of the filter, G = (I − Δ)A, is W(S + W)⁻¹A where S + W is invertible. *)
+(** AK-5-G-limit: the equality (I − Δ)A = W(S + W)⁻¹A, where S + W is invertible; limits are not treated. *)
 Theorem filter_transition A S W : S + W \in unitmx ->
   (1%:M - S *m (S + W)^†) *m A = W *m (S + W)^† *m A.
 Proof.
@@ -73,7 +73,7 @@ Lemma anderson_stack S :
   stack A 1%:M uncorrelated S = block_mx (A *m S *m A^T + V) (A *m S) (S *m A^T) (S + W).
 Proof. by rewrite stack_blocks trmx1 !mulmx1 !mul1mx add_block_mx !addr0. Qed.
 
-(** AK-2.5, AK-4.1: φ(S) = A[S − S(S + W)⁺S]Aᵀ + V, for singular V and W too. *)
+(** AK-4.1: φ(S) = A[S − S(S + W)⁺S]Aᵀ + V, for singular V and W too. *)
 Theorem anderson_subtractive S : psd S ->
   phi S = A *m (S - S *m (S + W)^† *m S) *m A^T + V.
 Proof. by move=> pS; rewrite /phi /anderson parallel_sum_subtractive. Qed.
@@ -85,6 +85,10 @@ move=> pS; rewrite anderson_subtractive // /riccati anderson_stack schur_block.
 by rewrite mulmxBr mulmxBl !mulmxA addrAC.
 Qed.
 
+(** AK-1.4b: the gain of the Riccati map is AΔ with Δ = S(S + W)⁺. *)
+Theorem anderson_gain S : riccati_gain A 1%:M uncorrelated S = A *m (S *m (S + W)^†).
+Proof. by rewrite /riccati_gain /gain anderson_stack /Jxy /Jyy block_mxKur block_mxKdr mulmxA. Qed.
+
 Lemma anderson_psd S : psd S -> psd (phi S).
 Proof. by move=> pS; rewrite andersonE //; apply: riccati_psd => //; apply: psd_uncorrelated. Qed.
 
@@ -94,7 +98,7 @@ move=> pS ST; have pT := psd_le pS ST; rewrite !andersonE //.
 by apply: riccati_mono => //; apply: psd_uncorrelated.
 Qed.
 
-(** AK-4.2, AK-5-compact: V ⪯ φ(S), whatever S ⪰ 0. *)
+(** AK-4.2: V ⪯ φ(S), whatever S ⪰ 0. *)
 Theorem anderson_lower S : psd S -> V ⪯ phi S.
 Proof. by move=> pS; rewrite /phi /anderson addrK; apply/psd_congruence/parallel_sum_psd. Qed.
 
@@ -104,7 +108,7 @@ Proof.
 by move=> pS; rewrite /phi /anderson parallel_sumC // parallel_sum_subtractive // (addrC W S).
 Qed.
 
-(** AK-4.2, AK-5-compact: φ(S) ⪯ AWAᵀ + V. *)
+(** AK-4.2: φ(S) ⪯ AWAᵀ + V. *)
 Theorem anderson_upper S : psd S -> phi S ⪯ A *m W *m A^T + V.
 Proof.
 move=> pS; rewrite /phi /anderson opprD addrACA subrr addr0.
@@ -224,7 +228,7 @@ move=> pS; elim: k => //= k IH; rewrite -IH -andersonE //.
 exact: iter_anderson_psd.
 Qed.
 
-(** AK-T2.3: every orbit converges to a fixed point T: from any S ⪯ bT, (1 − (1 − e)ᵏ)T ⪯ φᵏ(S) ⪯ (1 + (b − 1)(1 − e)ᵏ)T, where eT ⪯ V. *)
+(** AK-T2.3: if there is a fixed point T, every orbit closes in on it: from any S ⪯ bT, (1 − (1 − e)ᵏ)T ⪯ φᵏ(S) ⪯ (1 + (b − 1)(1 − e)ᵏ)T, where eT ⪯ V. *)
 Theorem anderson_convergence T e b S k : psd T -> T = phi T -> 0 < e -> e <= 1 -> e *: T ⪯ V ->
   psd S -> 1 <= b -> S ⪯ b *: T ->
   (1 - (1 - e) ^+ k) *: T ⪯ iter k phi S /\ iter k phi S ⪯ (1 + (b - 1) * (1 - e) ^+ k) *: T.
@@ -233,7 +237,7 @@ move=> pT eT e0 e1 eV pS b1 Sb; rewrite iter_andersonE //.
 by apply: convergence => //; rewrite ?schur_uncorrelated -?andersonE //; apply: psd_uncorrelated.
 Qed.
 
-(** AK-T2.3, AK-5-r: uniformly in the start: with AWAᵀ + V ⪯ bT the same bounds, hence one number of steps, serve all S ⪰ 0. *)
+(** AK-T2.3, AK-5-r: with AWAᵀ + V ⪯ bT the same bounds about a fixed point T serve all S ⪰ 0; over an archimedean field that is one number of steps. *)
 Theorem anderson_uniform T e b S k : psd T -> T = phi T -> 0 < e -> e <= 1 -> e *: T ⪯ V ->
   psd S -> 1 <= b -> top ⪯ b *: T ->
   (1 - (1 - e) ^+ k) *: T ⪯ iter k.+1 phi S /\ iter k.+1 phi S ⪯ (1 + (b - 1) * (1 - e) ^+ k) *: T.

@@ -62,7 +62,7 @@ pub struct Evidence<'a> {
     pub backing: Backing,
     /// Which theorem, identity, file or test.
     pub name: &'a str,
-    /// For which sizes, or on which domain; empty for theorems.
+    /// In which words, for which sizes, or on which domain; empty for tests.
     pub extent: &'a str,
 }
 
@@ -80,7 +80,8 @@ pub(super) fn evidence(line: &str) -> Result<Vec<Evidence<'_>>, String> {
             }
             return Err(format!("has a backing without a name: {part:?}"));
         };
-        let extent = extent.trim().trim_start_matches('(').trim_end_matches(')');
+        let extent = extent.trim();
+        let extent = extent.strip_prefix('(').and_then(|inner| inner.strip_suffix(')')).unwrap_or(extent);
         found.push(Evidence { backing, name, extent });
     }
     Ok(found)

@@ -35,8 +35,8 @@ pub fn backings(sources: &Sources) -> Result<Backings, String> {
         }
     };
     for theorem in sources.theorems.iter().flat_map(theorems) {
-        let (name, ids) = theorem?;
-        add(&ids, Backing::AllSizes, &name, "");
+        let (name, ids, sentence) = theorem?;
+        add(&ids, Backing::AllSizes, &name, &sentence);
     }
     for statement in &sources.statements {
         if let Some((name, ids, size)) = statement_of(statement)? {
@@ -64,14 +64,17 @@ pub fn backings(sources: &Sources) -> Result<Backings, String> {
     Ok(found)
 }
 
+/// The name of a theorem, the entries that it says, and in which words.
+type Theorem = (String, BTreeSet<String>, String);
+
 /// Theorems with the identifiers that begin the comment before them: `(** AK-L4.2: a sentence. *)`.
-fn theorems(source: &Source) -> Vec<Result<(String, BTreeSet<String>), String>> {
+fn theorems(source: &Source) -> Vec<Result<Theorem, String>> {
     let file = source.path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let mut found = Vec::new();
     for rest in source.text.split("(** ").skip(1) {
         let Some((comment, after)) = rest.split_once("*)") else { continue };
         // Identifiers stand before the first colon, and nothing else does.
-        let Some((before, _)) = comment.split_once(": ") else { continue };
+        let Some((before, sentence)) = comment.split_once(": ") else { continue };
         let ids = named(before);
         if ids.is_empty() || ids.len() != before.split(", ").count() {
             continue;
@@ -79,7 +82,8 @@ fn theorems(source: &Source) -> Vec<Result<(String, BTreeSet<String>), String>> 
         let mut words = after.split_whitespace();
         let name = match (words.next(), words.next()) {
             (Some("Theorem" | "Lemma" | "Corollary" | "Proposition" | "Fact"), Some(name)) => {
-                Ok((format!("{file}.{}", name.trim_end_matches(':')), ids))
+                let sentence = sentence.split_whitespace().collect::<Vec<_>>().join(" ");
+                Ok((format!("{file}.{}", name.trim_end_matches(':')), ids, sentence.trim_end_matches('.').to_owned()))
             }
             _ => Err(format!("{}: no theorem follows «{}»", source.path.display(), before)),
         };
@@ -99,7 +103,8 @@ fn statement_of(source: &Source) -> Result<Option<(String, BTreeSet<String>, Str
         Some("unsat") => {
             let ids = named(header("Identifiers:").unwrap_or_default());
             let size = header("Size:").ok_or_else(|| format!("{name} states no size"))?;
-            Ok(Some((name, ids, size.to_owned())))
+            let statement = header("Statement:").ok_or_else(|| format!("{name} states nothing"))?;
+            Ok(Some((name, ids, format!("{size}: {}", statement.trim_end_matches('.')))))
         }
         _ => Err(format!("{name} is neither a control nor expected to be unsat")),
     }
@@ -122,10 +127,10 @@ fn evidence_is_read_where_it_stands() {
     let from_sources = |part: &&Part| !matches!(part.0, Backing::Symbolic | Backing::RandomPoints);
     let line =
         |id: &str| found[id].iter().filter(from_sources).map(|part| part.1.clone()).collect::<Vec<_>>().join("; ");
-    assert_eq!(line("AK-1"), "proved for all sizes `Stein.first`; proved by SMT `a/b` (2×2)");
+    assert_eq!(line("AK-1"), "proved for all sizes `Stein.first` (a sentence: this); proved by SMT `a/b` (2×2: s)");
     assert_eq!(
         line("AK-2"),
-        "proved for all sizes `Stein.first`; exhaustive `exhaustive::a::holds` (all of it); tested"
+        "proved for all sizes `Stein.first` (a sentence: this); exhaustive `exhaustive::a::holds` (all of it); tested"
     );
     assert_eq!(line("AK-3"), "tested");
     let page = format!("\n### AK-2 Title\n\n> `a`\n\n*checked*: so.\n\nBacking: {}.\n\nTests: `a::b`.\n", line("AK-2"));

@@ -1,4 +1,4 @@
-; Identifiers: CKS-L3ii
+; Identifiers: none
 ; Statement: cov(X − P_xy P_yy⁻¹ Y, Y) = P_xy − P_xy P_yy⁻¹ P_yy = 0 for 2 + 2 with regular P_yy.
 ; Control: a planted fault, the sign of the correction, is refuted
 ; Size: 2 + 2 over the reals

@@ -1,5 +1,5 @@
 ; Identifiers: none
-; Statement: max(0, min(P, (1 − KC)P)) lies between 0 and P where K is finite: the short form, mended by a clamp.
+; Statement: max(0, min(P, (1 − KC)P)) lies between 0 and P where (1 − KC)P is a number: the short form, mended by a clamp.
 ; Control: the hypothesis c is finite is needless
 ; Size: scalar, binary16
 ; Expect: unsat

@@ -1,5 +1,5 @@
 ; Identifiers: none
-; Statement: 1/(Y + (CW)C) with W = 1/R lies between 0 and 1/Y, for a belief Y ≥ 0 of the information form: no reading makes its own variance larger.
+; Statement: 1/(Y + (CW)C) with W = 1/R lies between 0 and 1/Y, for a belief Y > 0 of the information form: no reading makes its own variance larger.
 ; Control: a planted fault, always smaller, is refuted
 ; Size: scalar, binary16
 ; Expect: sat

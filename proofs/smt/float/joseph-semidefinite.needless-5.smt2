@@ -1,5 +1,5 @@
 ; Identifiers: none
-; Statement: Joseph's form is a number that is not negative, for every sensor, where S is not zero and S and KC are finite.
+; Statement: Joseph's form is a number that is not negative, for every sensor, where S is normal and K, KC and (1 − KC)P are finite.
 ; Control: the hypothesis the first product is finite is needless
 ; Size: scalar, binary16
 ; Expect: unsat

@@ -1,5 +1,5 @@
 ; Identifiers: none
-; Statement: Joseph's form is a number that is not negative, for every sensor, where S is not zero and S and KC are finite.
+; Statement: Joseph's form is a number that is not negative, for every sensor, where S is normal and K, KC and (1 − KC)P are finite.
 ; Control: the hypotheses and the conclusion hold together somewhere
 ; Size: scalar, binary16
 ; Expect: sat

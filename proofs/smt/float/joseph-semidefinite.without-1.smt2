@@ -1,5 +1,5 @@
 ; Identifiers: none
-; Statement: Joseph's form is a number that is not negative, for every sensor, where S is not zero and S and KC are finite.
+; Statement: Joseph's form is a number that is not negative, for every sensor, where S is normal and K, KC and (1 − KC)P are finite.
 ; Control: without p is finite and not negative there is a counter-example
 ; Size: scalar, binary16
 ; Expect: sat

@@ -1,4 +1,4 @@
-; Identifiers: EK-L3
+; Identifiers: none
 ; Statement: (KΣ − Γ)Σ⁻¹(KΣ − Γ)ᵀ ≥ 0 for Σ > 0, so that no gain does better: the inequality.
 ; Control: a planted fault, a positive square for every x, is refuted
 ; Size: 2 states and 1 reading, over the reals

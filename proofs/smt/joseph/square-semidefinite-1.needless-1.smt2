@@ -1,4 +1,4 @@
-; Identifiers: EK-L3
+; Identifiers: none
 ; Statement: (KΣ − Γ)Σ⁻¹(KΣ − Γ)ᵀ ≥ 0 for Σ > 0, so that no gain does better: the inequality.
 ; Control: the hypothesis Σ > 0 is needless
 ; Size: 2 states and 1 reading, over the reals

@@ -110,7 +110,7 @@ def statements():
     s.conclude(at_most(ZERO, q))
     yield s
 
-    s = statement("joseph-semidefinite", "Joseph's form is a number that is not negative, for every sensor, where S is not zero and S and KC are finite.")
+    s = statement("joseph-semidefinite", "Joseph's form is a number that is not negative, for every sensor, where S is normal and K, KC and (1 − KC)P are finite.")
     p, r, c = inputs(s, True)
     v, k, q = joseph(s, p, r, c)
     s.assume("S is normal, K finite", f"(and (fp.isNormal {v}) {finite(k)} {finite(by(k, c))})")
@@ -146,7 +146,7 @@ def statements():
     s.conclude(at_most(over(ONE, over(ONE, p)), p))
     yield s
 
-    s = statement("information-shrinks", "1/(Y + (CW)C) with W = 1/R lies between 0 and 1/Y, for a belief Y ≥ 0 of the information form: no reading makes its own variance larger.")
+    s = statement("information-shrinks", "1/(Y + (CW)C) with W = 1/R lies between 0 and 1/Y, for a belief Y > 0 of the information form: no reading makes its own variance larger.")
     y, r, c = number(s, "y"), number(s, "r"), number(s, "c")
     s.assume("Y > 0 is finite", f"(and {finite(y)} (fp.lt zero {y}))")
     s.assume("R > 0", f"(fp.lt zero {r})")
@@ -159,7 +159,7 @@ def statements():
     s.mutated("always smaller", f"(fp.lt {over(ONE, total)} {over(ONE, y)})")
     yield s
 
-    s = statement("clamped-between", "max(0, min(P, (1 − KC)P)) lies between 0 and P where K is finite: the short form, mended by a clamp.")
+    s = statement("clamped-between", "max(0, min(P, (1 − KC)P)) lies between 0 and P where (1 − KC)P is a number: the short form, mended by a clamp.")
     p, r, c = inputs(s, True)
     v, w, q = short(s, p, r, c)
     clamped = f"(ite (fp.lt {q} zero) zero (ite (fp.lt p {q}) p {q}))"

@@ -26,7 +26,7 @@ def statements():
     s.mutated("F in place of CD + F", left.equals(c @ a @ z + c @ b + g + f @ w))
     yield s
 
-    s = Statement("sowers/response", "SM-4.6, SM-2.3, SM-1.7", "Q and Ψ of SM-2.3 and SM-1.7 make Q* = Q + Ψ obey SM-4.6.", "2 states and 1 reading, over the reals")
+    s = Statement("sowers/response", "SM-4.6", "Q and Ψ of SM-2.3 and SM-1.7 make Q* = Q + Ψ obey SM-4.6.", "2 states and 1 reading, over the reals")
     a, h, p, cross = s.matrix("a"), s.matrix("h", 1, 2), s.symmetric("p"), s.vector("c")
     q, psi, v = s.matrix("q"), s.matrix("i"), s.real("v")
     j = s.let("j", add((h @ p @ h.T).rows[0][0], v))
@@ -39,7 +39,7 @@ def statements():
     s.mutated("the sign of the gain", (following + transition).equals(both * (a @ (q + psi)) + v * (gain @ h @ (q + psi))))
     yield s
 
-    s = Statement("sowers/precision", "SM-4.7, SM-2.4, SM-4.5", "M and R of SM-4.5 and SM-2.4 make R* = M − R obey SM-4.7.", "2 states and 1 reading, over the reals")
+    s = Statement("sowers/precision", "SM-4.7", "M and R of SM-4.5 and SM-2.4 make R* = M − R obey SM-4.7.", "2 states and 1 reading, over the reals")
     h, star, psi, m, r = s.matrix("h", 1, 2), s.matrix("q"), s.matrix("i"), s.symmetric("m"), s.symmetric("r")
     j, v = s.real("j"), s.real("v")
     s.note("Multiplied by JΣᵛ.")
@@ -62,7 +62,7 @@ def statements():
     s.mutated("the square of the factor", compared("<=", times(g, g, p, add(q, following), add(q, following)), times(following, following, following)))
     yield s
 
-    s = Statement("wang/one-step-2", "WG-L2.2", "P(k+1) = GP(k)Gᵀ + Q̄, Q̄ > 0, P(k+1) ≤ cQ̄ ⇒ GP(k)Gᵀ ≤ (1 − 1/c)P(k+1): one step of the proof, G = F(I − LH).", "2×2 over the reals")
+    s = Statement("wang/one-step-2", "WG-L2.2", "P(k+1) = GP(k)Gᵀ + Q̄, P(k+1) ≤ cQ̄, c > 0 ⇒ GP(k)Gᵀ ≤ (1 − 1/c)P(k+1): one step of the proof, G = F(I − LH).", "2×2 over the reals")
     gap, q, c = s.symmetric("g"), s.symmetric("q"), s.real("c")
     s.note("g is GP(k)Gᵀ, n is P(k+1).")
     n = s.let("n", gap + q)

@@ -40,7 +40,7 @@ def statements():
     s.mutated("F:G > 0", n.definite())
     yield s
 
-    s = statement("subtractive", "AK-L4.1iv", "F(F + G)⁻¹G = F − F(F + G)⁻¹F, whatever F and G.")
+    s = statement("subtractive", "AK-L4.1iv", "F(F + G)⁻¹G = F − F(F + G)⁻¹F, for all symmetric F and G with regular F + G.")
     f, g, t, d, n = pair(s)
     s.conclude(n.equals(d * f - f @ t.adjugate @ f))
     s.mutated("the sign of the second term", n.equals(d * f + f @ t.adjugate @ f))
@@ -68,7 +68,7 @@ def statements():
     s.mutated("F⁻¹ − G⁻¹", (n @ (g.determinant * f.adjugate - f.determinant * g.adjugate)).equals(whole * identity(2)))
     yield s
 
-    s = statement("least-value", "AK-Par", "xᵀ(F:G)x ≤ zᵀFz + (x − z)ᵀG(x − z) for every x and z, with equality at z = (F + G)⁻¹Gx.")
+    s = statement("least-value", "AK-Par", "xᵀ(F:G)x ≤ zᵀFz + (x − z)ᵀG(x − z) for every x and z and regular F + G ≥ 0, with equality at z = (F + G)⁻¹Gx.")
     f, g, u, z = s.symmetric("f"), s.symmetric("g"), s.vector("u"), s.vector("z")
     s.note("x = det(F + G) u for any u, so y = (F + G)⁻¹Gx needs no division; xᵀ(F:G)x is xᵀFy.")
     s.note("Semidefiniteness is used at one vector, y − z, which is less than is given.")

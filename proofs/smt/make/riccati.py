@@ -32,7 +32,7 @@ def statements():
     s.mutated("W in place of S", phi.equals(a @ (d * p - p @ adjugate @ w) @ a.T + d * v))
     yield s
 
-    s = statement("bounds", "AK-4.2", "V ≤ φ(S) ≤ AWAᵀ + V for S, W ≥ 0 with S + W > 0, as 0 ≤ S:W ≤ W.")
+    s = statement("bounds", "AK-4.2", "0 ≤ S:W ≤ W for S, W ≥ 0 with S + W > 0: the bounds V ≤ φ(S) ≤ AWAᵀ + V before A(·)Aᵀ + V is made of them.")
     p, w = s.symmetric("s"), s.symmetric("w")
     s.note("Multiplied by d = det(S + W) > 0: what A(·)Aᵀ + V is made of.")
     d = s.let("d", (p + w).determinant)

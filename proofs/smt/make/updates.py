@@ -51,7 +51,7 @@ def statements():
         s.mutated("KΣ + Γ", left.equals((k @ sigma + gamma) @ sigma.adjugate @ (k @ sigma + gamma).T))
         yield s
 
-        s = statement("joseph", f"square-semidefinite-{readings}", "EK-L3", "(KΣ − Γ)Σ⁻¹(KΣ − Γ)ᵀ ≥ 0 for Σ > 0, so that no gain does better: the inequality.", size)
+        s = statement("joseph", f"square-semidefinite-{readings}", "EK-L3" if readings > 1 else "none", "(KΣ − Γ)Σ⁻¹(KΣ − Γ)ᵀ ≥ 0 for Σ > 0, so that no gain does better: the inequality.", size)
         miss, sigma, x = s.matrix("m", 2, readings), s.symmetric("s", readings), s.vector("x")
         s.note("For M = KΣ − Γ, any matrix, and every x. Multiplied by det Σ > 0.")
         s.assume("Σ > 0", sigma.definite())
@@ -104,7 +104,7 @@ def statements():
     s.mutated("the order turned round", compared(">=", (top - low).form(x), (w * (closed @ (high - p) @ closed.T)).form(x)))
     yield s
 
-    s = statement("update", "lyapunov-form", "WG-52, WG-53, WG-1", "F(I − LH)P(I − LH)ᵀFᵀ + FLRLᵀFᵀ + Q is WG-1, for L = PHᵀ(HPHᵀ + R)⁻¹.")
+    s = statement("update", "lyapunov-form", "WG-52", "F(I − LH)P(I − LH)ᵀFᵀ + FLRLᵀFᵀ + Q is WG-1, for L = PHᵀ(HPHᵀ + R)⁻¹.")
     f, h, q, r, p = s.matrix("f"), s.matrix("h", 1, 2), s.symmetric("q"), s.real("r"), s.symmetric("p")
     v = s.let("s", add((h @ p @ h.T).rows[0][0], r))
     s.note("Multiplied by s² = (HPHᵀ + R)².")
@@ -147,7 +147,7 @@ def statements():
     s.mutated("the sign of the correction", (zeros(2, 2) - c @ c.T).semidefinite())
     yield s
 
-    s = statement("conditioning", "residual", "CKS-L3ii", "cov(X − P_xy P_yy⁻¹ Y, Y) = P_xy − P_xy P_yy⁻¹ P_yy = 0 for 2 + 2 with regular P_yy.", "2 + 2 over the reals")
+    s = statement("conditioning", "residual", "none", "cov(X − P_xy P_yy⁻¹ Y, Y) = P_xy − P_xy P_yy⁻¹ P_yy = 0 for 2 + 2 with regular P_yy.", "2 + 2 over the reals")
     c, y = s.matrix("c"), s.symmetric("y")
     s.note("Multiplied by det P_yy.")
     s.conclude((y.determinant * c - c @ y.adjugate @ y).equals(zeros(2, 2)))

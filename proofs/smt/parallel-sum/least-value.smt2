@@ -1,5 +1,5 @@
 ; Identifiers: AK-Par
-; Statement: xᵀ(F:G)x ≤ zᵀFz + (x − z)ᵀG(x − z) for every x and z, with equality at z = (F + G)⁻¹Gx.
+; Statement: xᵀ(F:G)x ≤ zᵀFz + (x − z)ᵀG(x − z) for every x and z and regular F + G ≥ 0, with equality at z = (F + G)⁻¹Gx.
 ; Size: 2×2 over the reals
 ; Expect: unsat
 ; x = det(F + G) u for any u, so y = (F + G)⁻¹Gx needs no division; xᵀ(F:G)x is xᵀFy.

@@ -1,5 +1,5 @@
 ; Identifiers: AK-L4.1iv
-; Statement: F(F + G)⁻¹G = F − F(F + G)⁻¹F, whatever F and G.
+; Statement: F(F + G)⁻¹G = F − F(F + G)⁻¹F, for all symmetric F and G with regular F + G.
 ; Control: a planted fault, the sign of the second term, is refuted
 ; Size: 2×2 over the reals
 ; Expect: sat

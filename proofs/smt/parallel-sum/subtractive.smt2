@@ -1,5 +1,5 @@
 ; Identifiers: AK-L4.1iv
-; Statement: F(F + G)⁻¹G = F − F(F + G)⁻¹F, whatever F and G.
+; Statement: F(F + G)⁻¹G = F − F(F + G)⁻¹F, for all symmetric F and G with regular F + G.
 ; Size: 2×2 over the reals
 ; Expect: unsat
 ; d is det(F + G); n is d times F:G, so that nothing is divided.

@@ -1,5 +1,5 @@
 ; Identifiers: AK-4.2
-; Statement: V ≤ φ(S) ≤ AWAᵀ + V for S, W ≥ 0 with S + W > 0, as 0 ≤ S:W ≤ W.
+; Statement: 0 ≤ S:W ≤ W for S, W ≥ 0 with S + W > 0: the bounds V ≤ φ(S) ≤ AWAᵀ + V before A(·)Aᵀ + V is made of them.
 ; Size: 2×2 over the reals
 ; Expect: unsat
 ; Multiplied by d = det(S + W) > 0: what A(·)Aᵀ + V is made of.

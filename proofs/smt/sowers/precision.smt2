@@ -1,4 +1,4 @@
-; Identifiers: SM-4.7, SM-2.4, SM-4.5
+; Identifiers: SM-4.7
 ; Statement: M and R of SM-4.5 and SM-2.4 make R* = M − R obey SM-4.7.
 ; Size: 2 states and 1 reading, over the reals
 ; Expect: unsat

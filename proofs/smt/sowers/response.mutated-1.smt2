@@ -1,4 +1,4 @@
-; Identifiers: SM-4.6, SM-2.3, SM-1.7
+; Identifiers: SM-4.6
 ; Statement: Q and Ψ of SM-2.3 and SM-1.7 make Q* = Q + Ψ obey SM-4.6.
 ; Control: a planted fault, the sign of the gain, is refuted
 ; Size: 2 states and 1 reading, over the reals

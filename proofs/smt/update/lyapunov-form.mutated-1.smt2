@@ -1,4 +1,4 @@
-; Identifiers: WG-52, WG-53, WG-1
+; Identifiers: WG-52
 ; Statement: F(I − LH)P(I − LH)ᵀFᵀ + FLRLᵀFᵀ + Q is WG-1, for L = PHᵀ(HPHᵀ + R)⁻¹.
 ; Control: a planted fault, without the noise of the reading, is refuted
 ; Size: 2 states and 1 reading, over the reals

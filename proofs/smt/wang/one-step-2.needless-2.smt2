@@ -1,5 +1,5 @@
 ; Identifiers: WG-L2.2
-; Statement: P(k+1) = GP(k)Gᵀ + Q̄, Q̄ > 0, P(k+1) ≤ cQ̄ ⇒ GP(k)Gᵀ ≤ (1 − 1/c)P(k+1): one step of the proof, G = F(I − LH).
+; Statement: P(k+1) = GP(k)Gᵀ + Q̄, P(k+1) ≤ cQ̄, c > 0 ⇒ GP(k)Gᵀ ≤ (1 − 1/c)P(k+1): one step of the proof, G = F(I − LH).
 ; Control: the hypothesis c > 0 is needless
 ; Size: 2×2 over the reals
 ; Expect: unsat
