@@ -121,6 +121,8 @@ fn what_is_too_large_is_undecided() {
     }
     assert!(power.is_too_large());
     assert_eq!(power.zero_test(), ZeroTest::Undecided);
+    let alone = exact_kalman::matrix::Matrix::from_fn(1, 1, |_, _| power.clone());
+    assert!(matches!(exact_kalman::matrix::Echelon::of(&alone, 1), Err(exact_kalman::matrix::Undecided { column: 0 })));
     assert_eq!(sum.over(&power), Err(Undefined::Undecided));
     assert!(power.minus(&power).is_too_large());
     assert_eq!(power, power.clone());
