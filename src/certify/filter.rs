@@ -255,7 +255,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
-    use crate::certify::dyadics::Dyadics;
+    use crate::certify::packed::Packed;
     use crate::filter::filter;
     use crate::model::{Initial, Noise, Observation, System};
     use crate::scalar::ratio;
@@ -313,8 +313,8 @@ mod tests {
         }
     }
 
-    fn fractions(dyadics: &Dyadics) -> Matrix<Rational> {
-        Matrix::from_fn(dyadics.rows(), dyadics.mantissas.columns(), |i, j| dyadics.entry(i, j).value().expect("short"))
+    fn fractions(dyadics: &Packed) -> Matrix<Rational> {
+        Matrix::from_fn(dyadics.rows(), dyadics.columns(), |i, j| dyadics.entry(i, j).value().expect("short"))
     }
 
     /// How many steps were enclosed, and whether the run ended before its path, each step compared with the exact one.
