@@ -97,11 +97,14 @@ pub(super) fn intervals(matrix: &Dyadics, gap: &Dyadics, bits: u64) -> Matrix<In
 
 /// Entries of a vector over an odd integer whose error e has `e eᵀ ≤ E`: `|eᵢ| ≤ √Eᵢᵢ`.
 pub(super) fn column(vector: &Packed, odd: &BigInt, ellipsoid: &Packed, bits: u64) -> Matrix<Interval> {
-    let odd = Dyadic::new(odd.clone(), 0);
+    let divisor = (!odd.is_one()).then(|| Dyadic::new(odd.clone(), 0));
     Matrix::from_fn(vector.rows(), 1, |i, _| {
         let radius = root(&ellipsoid.entry(i, i));
         let middle = vector.entry(i, 0);
-        let end = |toward| middle.over(&odd, bits, toward).unwrap_or_else(Dyadic::zero);
+        let end = |toward| match &divisor {
+            Some(divisor) => middle.over(divisor, bits, toward).unwrap_or_else(Dyadic::zero),
+            None => middle.shortened(bits, toward),
+        };
         Interval::between(
             end(Toward::Below).plus(&radius.negated(), bits, Toward::Below),
             end(Toward::Above).plus(&radius, bits, Toward::Above),

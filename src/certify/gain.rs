@@ -11,7 +11,7 @@ use super::grid::BOUND_BITS;
 use super::innovation::{Innovation, about, above, over, product, sum};
 use super::law::{Law, Target};
 use super::packed::Packed;
-use super::target::{Map, gain};
+use super::target::{Map, gain, prior};
 use crate::matrix::Matrix;
 use crate::scalar::{Interval, ratio};
 
@@ -55,8 +55,7 @@ fn enclosed_gain(
     bits: u64,
 ) -> Matrix<Interval> {
     let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
-    let prior = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
-    let proposed = gain(gamma, &prior, innovation, &law.noise_odd, bits);
+    let proposed = gain(gamma, &prior(belief, law, target), innovation, &law.noise_odd, bits);
     let defect = proposed.times(&innovation.covariance).minus(gamma);
     let missed = defect.times_transposed(&innovation.whitening).square();
     let kept = a.less(&proposed.times(&law.observation)).congruence(&belief.gap);

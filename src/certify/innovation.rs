@@ -92,9 +92,13 @@ impl Innovation {
     /// Each entry of Σ: `−HWHᵀ ≤ Σ − Σ̃ ≤ HWHᵀ`.
     pub(super) fn covariance_intervals(&self, belief: &Enclosed, law: &Law, bits: u64) -> Matrix<Interval> {
         let gap = law.observation.congruence(&belief.gap).scaled(&law.lift);
+        let entries = self.covariance.within(&gap, bits);
+        if law.noise_odd.is_one() {
+            return entries;
+        }
         let odd = Interval::between(whole(&law.noise_odd), whole(&law.noise_odd));
         let entry = |entry: &Interval| entry.over(&odd, bits + BOUND_BITS).unwrap_or_else(|_| unreachable!("odd"));
-        self.covariance.within(&gap, bits).map(entry)
+        entries.map(entry)
     }
 
     /// Each entry of ν: `|νⱼ − ν̃ⱼ| ≤ √(HEHᵀ)ⱼⱼ`.

@@ -45,7 +45,7 @@ pub(super) struct Law {
     pub(super) observation: Packed,
     /// R, over w.
     pub(super) noise: Packed,
-    /// The state before the reading, if it is not the one that is carried.
+    /// The state before the reading, if it is not the one that is carried: with the map and the noise of the state given it.
     pub(super) predicted: Option<Target>,
     /// The state given the reading.
     pub(super) filtered: Target,

@@ -4,7 +4,7 @@ use num_bigint::{BigInt, BigUint, Sign};
 use num_traits::{One, ToPrimitive as _, Zero};
 
 use super::dyadics::Dyadics;
-use super::words::{Integer, add_product, add_shifted, length, negate, put_nearest, used};
+use super::words::{Integer, add_product, add_shifted, length, lift, negate, put_nearest, used};
 use crate::matrix::Matrix;
 use crate::scalar::Dyadic;
 
@@ -272,6 +272,39 @@ impl Packed {
         })
     }
 
+    /// `self + a bᵀ − c dᵀ`, which is known to be symmetric, as are these.
+    pub(super) fn with_products(&self, (a, b): (&Self, &Self), (c, d): (&Self, &Self)) -> Self {
+        if a.length.max(b.length).max(c.length).max(d.length) > MOST_WORDS {
+            return self.minus(&c.times_transposed(d)).plus(&a.times_transposed(b));
+        }
+        let exponents = (a.exponent + b.exponent, c.exponent + d.exponent);
+        // What has the higher exponent is lifted to the other one.
+        let (above, below, first, next) = if exponents.0 < exponents.1 {
+            (exponents.1, exponents.0, (c, d, true), (a, b, false))
+        } else {
+            (exponents.0, exponents.1, (a, b, false), (c, d, true))
+        };
+        let exponent = below.min(self.exponent);
+        let places = |exponent: i64, to: i64| (exponent - to).unsigned_abs();
+        let bits = |matrix: &Self, places: u64| 64 * matrix.length as u64 + places;
+        let of_first = 64 * (first.0.length + first.1.length + 1) as u64 + places(above, exponent);
+        let of_next = 64 * (next.0.length + next.1.length + 1) as u64 + places(below, exponent);
+        let longest = of_first.max(of_next).max(bits(self, places(self.exponent, exponent)));
+        let add = |sum: &mut [u64], (left, right, is_less): (&Self, &Self, bool), i, j| {
+            for k in 0..left.columns {
+                let own = left.integer(i, k);
+                add_product(sum, if is_less { own.negated() } else { own }, right.integer(j, k));
+            }
+        };
+        Self::built((self.rows, self.columns), length(longest + 2), exponent, Part::Triangle, |sum, i, j| {
+            add(sum, first, i, j);
+            lift(sum, places(above, below));
+            add(sum, next, i, j);
+            lift(sum, places(below, exponent));
+            add_shifted(sum, self.integer(i, j), places(self.exponent, exponent));
+        })
+    }
+
     /// The sum of the diagonal.
     pub(super) fn trace(&self) -> Dyadic {
         let mut sum = vec![0; self.length + 1];
@@ -471,6 +504,26 @@ mod tests {
             let largest = (0..a.rows()).map(magnitudes).max().unwrap_or_default();
             prop_assert_eq!(x.largest_row_sum(), Dyadic::new(largest, p));
             prop_assert_eq!(x.dyadics().mantissas, a);
+        }
+
+        /// A symmetric sum with products.
+        #[test]
+        fn products_are_added(
+            (a, b, m) in (1..4_usize, 0..3_usize).prop_flat_map(|(n, k)| (matrix(n, k), matrix(n, k), matrix(n, n))),
+            (p, q, r, s) in (-150..150_i64, -90..90_i64, -90..90_i64, -90..90_i64),
+        ) {
+            let (prior, n) = (&m + &m.transpose(), a.rows());
+            // m + a bᵀ + b aᵀ, and m + a aᵀ − b bᵀ
+            let term = |x: &Matrix<BigInt>, y: &Matrix<BigInt>, i, j| (0..x.columns()).map(|k| &x[(i, k)] * &y[(j, k)]).sum::<BigInt>();
+            let least = p.min(q + r).min(2 * q).min(2 * r).min(q + s).min(r + s);
+            let lifted = |value: BigInt, exponent: i64| value << (exponent - least);
+            let x = Packed::of(&prior, p);
+            let both = x.with_products((&Packed::of(&a, q), &Packed::of(&b, r)), (&Packed::of(&b, r), &Packed::of(&-&a, q)));
+            let sum = |i, j| lifted(prior[(i, j)].clone(), p) + lifted(term(&a, &b, i, j) + term(&b, &a, i, j), q + r);
+            prop_assert_eq!(over(&both, least), Matrix::from_fn(n, n, sum));
+            let squares = x.with_products((&Packed::of(&a, q), &Packed::of(&a, q)), (&Packed::of(&b, r), &Packed::of(&b, r)));
+            let sum = |i, j| lifted(prior[(i, j)].clone(), p) + lifted(term(&a, &a, i, j), 2 * q) - lifted(term(&b, &b, i, j), 2 * r);
+            prop_assert_eq!(over(&squares, least), Matrix::from_fn(n, n, sum));
         }
 
         /// The diagonal, its sum, and what is added to it.

@@ -51,23 +51,28 @@ impl Map<'_> {
     }
 }
 
-/// The law of a target given the reading.
+/// `A P̃ Aᵀ + Q` of a target, over w.
+pub(super) fn prior(belief: &Enclosed, law: &Law, target: &Target) -> Packed {
+    let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
+    a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise)
+}
+
+/// The law of a target given the reading, from its prior.
 pub(super) fn updated(
     belief: &Enclosed,
     law: &Law,
     data: &Data,
-    target: &Target,
+    (target, prior): (&Target, &Packed),
     innovation: &Innovation,
     bits: u64,
 ) -> Enclosed {
     let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
-    // All over w: Γ̃ = A P̃ Hᵀ + S, and A P̃ Aᵀ + Q.
+    // Γ̃ = A P̃ Hᵀ + S, over w.
     let gamma = a.times(&innovation.seen_covariance).scaled(&law.lift).plus(&target.cross);
-    let prior = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
-    let gain = gain(&gamma, &prior, innovation, &law.noise_odd, bits);
+    let gain = gain(&gamma, prior, innovation, &law.noise_odd, bits);
     let defect = gain.times(&innovation.covariance).minus(&gamma);
     // A P̃ Aᵀ + Q − Γ̃K̃ᵀ − K̃Γ̃ᵀ + K̃Σ̃K̃ᵀ
-    let joseph = prior.minus(&gamma.times_transposed(&gain)).plus(&gain.times_transposed(&defect));
+    let joseph = prior.with_products((&gain, &defect), (&gamma, &gain));
     let closed = a.less(&gain.times(&law.observation));
     let kept = closed.congruence(&belief.gap);
     let missed = defect.times_transposed(&innovation.whitening).square();
@@ -92,10 +97,15 @@ pub(super) fn updated(
     Enclosed { covariance, gap: gap.up(&pad, GAP_BITS), mean, ellipsoid, proof }
 }
 
-/// The law of a target without a reading.
-pub(super) fn moved(belief: &Enclosed, law: &Law, data: &Data, target: &Target, bits: u64) -> Enclosed {
+/// The law of a target without a reading, from its prior.
+pub(super) fn moved(
+    belief: &Enclosed,
+    law: &Law,
+    data: &Data,
+    (target, exact): (&Target, &Packed),
+    bits: u64,
+) -> Enclosed {
     let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
-    let exact = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
     let square = over(&Dyadic::one(), &law.odd, 2);
     let gap = a.congruence(&belief.gap).multiple(&square);
     let scales = Enclosed::scales(&over_each(exact.diagonal(), &law.noise_odd), &gap.diagonal());

@@ -120,6 +120,19 @@ pub(super) fn put_nearest(place: &mut [u64], a: Integer<'_>, dropped: u64) -> bo
     false
 }
 
+/// Multiplies a number in two's complement by `2^places`.
+pub(super) fn lift(words: &mut [u64], places: u64) {
+    let (skipped, shift) = (usize::try_from(places / WORD).unwrap_or(usize::MAX), places % WORD);
+    if places == 0 {
+        return;
+    }
+    for i in (0..words.len()).rev() {
+        let own = |back: usize| i.checked_sub(back).map_or(0, |from| words[from]);
+        let (word, below) = (own(skipped), own(skipped.saturating_add(1)));
+        words[i] = if shift == 0 { word } else { word << shift | below >> (WORD - shift) };
+    }
+}
+
 pub(super) fn negate(words: &mut [u64]) {
     let mut carry = true;
     for word in words {
@@ -159,11 +172,13 @@ mod tests {
             (a, b) in (words(), words()), (minus, less) in any::<(bool, bool)>(), (p, q) in (0..140_u64, 0..140_u64),
         ) {
             let (a, b) = (Integer::new(&a, minus), Integer::new(&b, less));
-            let mut sum = vec![0; 8];
+            let mut sum = vec![0; 10];
             add_shifted(&mut sum, a, p);
             add_shifted(&mut sum, b, q);
             prop_assert_eq!(value(&sum), (whole(a) << p) + (whole(b) << q));
             prop_assert_eq!(a.bits(), whole(a).bits());
+            lift(&mut sum, q);
+            prop_assert_eq!(value(&sum), ((whole(a) << p) + (whole(b) << q)) << q);
         }
 
         /// The nearest integer is the floor of a half more, and exact where nothing was dropped.
