@@ -3,7 +3,7 @@
 use super::enclosed::Enclosed;
 use super::groups::Groups;
 use super::law::Law;
-use super::target::moved;
+use super::target::{moved, prior};
 use crate::model::{PathAhead, Timing, Transition};
 use crate::scalar::{Interval, Rational};
 use crate::trace::Moments;
@@ -55,7 +55,8 @@ impl<'a> Ahead<'a> {
             _ => Law::of_transition(transition),
         };
         let law = &self.law.insert((transition, law)).1;
-        moved(belief, law, &law.input(transition), &law.filtered, bits)
+        let exact = prior(belief, law, &law.filtered);
+        moved(belief, law, &law.input(transition), (&law.filtered, &exact), bits)
     }
 }
 

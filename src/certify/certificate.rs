@@ -5,6 +5,7 @@ use num_bigint::BigInt;
 use super::CertifiedFilter;
 use super::dyadics::Dyadics;
 use super::enclosed::Enclosed;
+use super::packed::Packed;
 use super::readings::Readings;
 use crate::verify::{BeliefDocument, DyadicMatrix, Hexadecimal, StepDocument};
 
@@ -12,13 +13,13 @@ use crate::verify::{BeliefDocument, DyadicMatrix, Hexadecimal, StepDocument};
 #[derive(Clone, Debug, Default)]
 pub(super) struct Witness {
     is_wanted: bool,
-    whitening: Option<Dyadics>,
+    whitening: Option<Packed>,
     step: Option<StepDocument>,
 }
 
 impl Witness {
     /// T of the innovation of the step that is being made.
-    pub(super) fn whiten(&mut self, whitening: Dyadics) {
+    pub(super) fn whiten(&mut self, whitening: Packed) {
         self.whitening = Some(whitening);
     }
 
@@ -35,7 +36,7 @@ impl Witness {
         self.step = self.is_wanted.then(|| StepDocument {
             step,
             kept: (!readings.are_complete()).then(|| readings.kept.clone()),
-            whitening: whitening.as_ref().map(full),
+            whitening: whitening.map(|whitening| full(&whitening.dyadics())),
             predicted: predicted.map(belief),
             filtered: belief(filtered),
             ahead: ahead.map(belief),
@@ -64,12 +65,12 @@ impl CertifiedFilter<'_> {
 
 fn belief(enclosed: &Enclosed) -> BeliefDocument {
     BeliefDocument {
-        gain: enclosed.proof.gain.as_ref().map(full),
+        gain: enclosed.proof.gain.as_ref().map(|gain| full(&gain.dyadics())),
         balance: enclosed.proof.balance,
-        covariance: triangle(&enclosed.covariance),
-        gap: triangle(&enclosed.gap),
-        mean: full(&enclosed.mean),
-        ellipsoid: triangle(&enclosed.ellipsoid),
+        covariance: triangle(&enclosed.covariance.dyadics()),
+        gap: triangle(&enclosed.gap.dyadics()),
+        mean: full(&enclosed.mean.dyadics()),
+        ellipsoid: triangle(&enclosed.ellipsoid.dyadics()),
     }
 }
 

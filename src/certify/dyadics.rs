@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
-use super::words;
+use super::packed::Packed;
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Rational};
 
@@ -55,19 +55,17 @@ impl Dyadics {
     }
 
     pub(super) fn times(&self, other: &Self) -> Self {
-        let mantissas = words::product(&self.mantissas, &other.mantissas);
-        Self { mantissas, exponent: self.exponent + other.exponent }
+        Packed::from(self).times(&other.into()).dyadics()
     }
 
     /// `self · middle · selfᵀ` for a symmetric one in the middle.
     pub(super) fn congruence(&self, middle: &Self) -> Self {
-        let mantissas = words::congruence(&self.mantissas, Some(&middle.mantissas));
-        Self { mantissas, exponent: 2 * self.exponent + middle.exponent }
+        Packed::from(self).congruence(&middle.into()).dyadics()
     }
 
     /// `self · selfᵀ`
     pub(super) fn square(&self) -> Self {
-        Self { mantissas: words::congruence(&self.mantissas, None), exponent: 2 * self.exponent }
+        Packed::from(self).square().dyadics()
     }
 
     pub(super) fn transposed(&self) -> Self {

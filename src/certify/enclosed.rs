@@ -4,7 +4,8 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use super::dyadics::Dyadics;
-use super::grid::{BOUND_BITS, rounded, scale};
+use super::grid::{BOUND_BITS, scale};
+use super::packed::Packed;
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Interval, Rational, Toward};
 
@@ -16,13 +17,13 @@ use crate::scalar::{Dyadic, Interval, Rational, Toward};
 #[derive(Clone, Debug)]
 pub(super) struct Enclosed {
     /// P̃
-    pub(super) covariance: Dyadics,
+    pub(super) covariance: Packed,
     /// W
-    pub(super) gap: Dyadics,
+    pub(super) gap: Packed,
     /// x̃
-    pub(super) mean: Dyadics,
+    pub(super) mean: Packed,
     /// E
-    pub(super) ellipsoid: Dyadics,
+    pub(super) ellipsoid: Packed,
     /// What proves it from the belief before.
     #[cfg_attr(not(feature = "judge"), allow(dead_code, reason = "certificates alone need it"))]
     pub(super) proof: Proof,
@@ -33,7 +34,7 @@ pub(super) struct Enclosed {
 #[cfg_attr(not(feature = "judge"), allow(dead_code, reason = "certificates alone need it"))]
 pub(super) struct Proof {
     /// K̃, where something is read.
-    pub(super) gain: Option<Dyadics>,
+    pub(super) gain: Option<Packed>,
     /// k of the α = 2⁻ᵏ with which two errors of the mean were added, if there are two.
     pub(super) balance: Option<i64>,
 }
@@ -45,13 +46,13 @@ impl Enclosed {
         let odd = |matrix: &Matrix<Rational>| super::dyadics::odd_denominator(BigInt::one(), matrix.entries());
         let exact = {
             let odd = odd(covariance);
-            (Dyadics::of(covariance, &odd), odd)
+            (Packed::from(&Dyadics::of(covariance, &odd)), odd)
         };
         let scales: Vec<Option<i64>> =
             (0..n).map(|i| scale(&Dyadic::rounded(&covariance[(i, i)], BOUND_BITS, Toward::Above))).collect();
-        let (covariance, pad) = rounded(&exact.0, &exact.1, &scales, bits);
+        let (covariance, pad) = exact.0.rounded(&exact.1, &scales, bits);
         let mean_odd = odd(mean);
-        let (mean, errors) = rounded_mean(&Dyadics::of(mean, &mean_odd), &mean_odd, &scales, bits);
+        let (mean, errors) = rounded_mean(&Packed::from(&Dyadics::of(mean, &mean_odd)), &mean_odd, &scales, bits);
         Self { covariance, gap: diagonal(&pad), ellipsoid: ellipsoid_of(&errors), mean, proof: Proof::default() }
     }
 
@@ -63,7 +64,7 @@ impl Enclosed {
 
     /// Each entry of the covariance.
     pub(super) fn covariance_intervals(&self, bits: u64) -> Matrix<Interval> {
-        intervals(&self.covariance, &self.gap, bits)
+        self.covariance.within(&self.gap, bits)
     }
 
     /// Each entry of the mean.
@@ -72,25 +73,38 @@ impl Enclosed {
     }
 }
 
-/// Entries of a symmetric matrix that lies between ± a gap (EK-L5): `|zᵢⱼ| ≤ √(wᵢᵢ wⱼⱼ)`.
+impl Packed {
+    /// Entries of a symmetric matrix that lies between ± a gap (EK-L5): `|zᵢⱼ| ≤ √(wᵢᵢ wⱼⱼ)`.
+    pub(super) fn within(&self, gap: &Self, bits: u64) -> Matrix<Interval> {
+        let diagonal = gap.diagonal();
+        let roots: Vec<Dyadic> = diagonal.iter().map(root).collect();
+        let entry = |i: usize, j: usize| {
+            let middle = self.entry(i, j);
+            if i == j {
+                return around(&middle, &diagonal[i], bits);
+            }
+            around(&middle, &roots[i].times(&roots[j], BOUND_BITS, Toward::Above), bits)
+        };
+        let below: Vec<Vec<Interval>> = (0..self.rows()).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
+        Matrix::from_fn(self.rows(), self.rows(), |i, j| below[i.max(j)][i.min(j)].clone())
+    }
+}
+
+/// [`Packed::within`]
 pub(super) fn intervals(matrix: &Dyadics, gap: &Dyadics, bits: u64) -> Matrix<Interval> {
-    let diagonal = gap.diagonal();
-    let roots: Vec<Dyadic> = diagonal.iter().map(root).collect();
-    let entry = |i: usize, j: usize| {
-        let radius = if i == j { diagonal[i].clone() } else { roots[i].times(&roots[j], BOUND_BITS, Toward::Above) };
-        around(&matrix.entry(i, j), &radius, bits)
-    };
-    let below: Vec<Vec<Interval>> = (0..matrix.rows()).map(|i| (0..=i).map(|j| entry(i, j)).collect()).collect();
-    Matrix::from_fn(matrix.rows(), matrix.rows(), |i, j| below[i.max(j)][i.min(j)].clone())
+    Packed::from(matrix).within(&gap.into(), bits)
 }
 
 /// Entries of a vector over an odd integer whose error e has `e eᵀ ≤ E`: `|eᵢ| ≤ √Eᵢᵢ`.
-pub(super) fn column(vector: &Dyadics, odd: &BigInt, ellipsoid: &Dyadics, bits: u64) -> Matrix<Interval> {
-    let odd = Dyadic::new(odd.clone(), 0);
+pub(super) fn column(vector: &Packed, odd: &BigInt, ellipsoid: &Packed, bits: u64) -> Matrix<Interval> {
+    let divisor = (!odd.is_one()).then(|| Dyadic::new(odd.clone(), 0));
     Matrix::from_fn(vector.rows(), 1, |i, _| {
         let radius = root(&ellipsoid.entry(i, i));
         let middle = vector.entry(i, 0);
-        let end = |toward| middle.over(&odd, bits, toward).unwrap_or_else(Dyadic::zero);
+        let end = |toward| match &divisor {
+            Some(divisor) => middle.over(divisor, bits, toward).unwrap_or_else(Dyadic::zero),
+            None => middle.shortened(bits, toward),
+        };
         Interval::between(
             end(Toward::Below).plus(&radius.negated(), bits, Toward::Below),
             end(Toward::Above).plus(&radius, bits, Toward::Above),
@@ -122,40 +136,40 @@ pub(super) fn root(square: &Dyadic) -> Dyadic {
 }
 
 /// A diagonal matrix.
-pub(super) fn diagonal(entries: &[Dyadic]) -> Dyadics {
+pub(super) fn diagonal(entries: &[Dyadic]) -> Packed {
     let least = entries.iter().filter(|entry| !entry.is_zero()).map(|entry| entry.parts().1).min().unwrap_or(0);
     let mantissa = |entry: &Dyadic| {
         let (mantissa, exponent) = entry.parts();
         mantissa << (exponent - least).max(0)
     };
     let mantissas = Matrix::diagonal(&entries.iter().map(mantissa).collect::<Vec<_>>());
-    Dyadics { mantissas, exponent: least }
+    Packed::from(&Dyadics { mantissas, exponent: least })
 }
 
 /// A vector over an odd integer rounded to `bits` bits of the larger of its entries and of the scales; and how far each entry
 /// may have moved.
-pub(super) fn rounded_mean(exact: &Dyadics, odd: &BigInt, scales: &[Option<i64>], bits: u64) -> (Dyadics, Vec<Dyadic>) {
+pub(super) fn rounded_mean(exact: &Packed, odd: &BigInt, scales: &[Option<i64>], bits: u64) -> (Packed, Vec<Dyadic>) {
     let bits = i64::try_from(bits).unwrap_or(i64::MAX);
     let units: Vec<i64> = scales
         .iter()
         .enumerate()
         .map(|(i, scale)| {
-            let own = exact.entry(i, 0).magnitude().map(|size| size - i64::try_from(odd.bits()).unwrap_or(0));
+            let length = |bits: u64| i64::try_from(bits).unwrap_or(i64::MAX);
+            let own = Some(length(exact.integer(i, 0).bits())).filter(|&size| size > 0);
+            let own = own.map(|size| size + exact.exponent() - length(odd.bits()));
             scale.or(own).unwrap_or(0) - bits
         })
         .collect();
     let least = units.iter().copied().min().unwrap_or(0);
     let mut errors = Vec::with_capacity(units.len());
-    let mantissas = Matrix::from_fn(exact.rows(), 1, |i, _| {
-        let (mantissa, is_exact) = super::grid::nearest(&exact.mantissas[(i, 0)], exact.exponent - units[i], odd);
+    let mean = exact.to_units(odd, (least, |i, _| units[i]), false, |i, _, is_exact| {
         errors.push(if is_exact { Dyadic::zero() } else { Dyadic::new(BigInt::one(), units[i] - 1) });
-        mantissa << (units[i] - least)
     });
-    (Dyadics { mantissas, exponent: least }, errors)
+    (mean, errors)
 }
 
 /// E with `e eᵀ ≤ E` for all e whose entries are bounded: `(Σ vᵢ eᵢ)² ≤ n Σ vᵢ² eᵢ²`, n the number of those that are not zero.
-pub(super) fn ellipsoid_of(errors: &[Dyadic]) -> Dyadics {
+pub(super) fn ellipsoid_of(errors: &[Dyadic]) -> Packed {
     let count = errors.iter().filter(|error| !error.is_zero()).count();
     let count = Dyadic::new(count.into(), 0);
     let square =

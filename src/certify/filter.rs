@@ -173,14 +173,21 @@ impl<'a> CertifiedFilter<'a> {
             values.insert(mean, belief.mean_intervals(bits));
             values.insert(covariance, belief.covariance_intervals(bits));
         };
-        let predicted = law.predicted.as_ref().map(|arriving| target::moved(belief, law, &data, arriving, bits));
+        let prior = |target| target::prior(belief, law, target);
+        let moved = |target, exact: &_| target::moved(belief, law, &data, (target, exact), bits);
+        // The state before the reading and the one given it are one image of the state before.
+        let exact = prior(&law.filtered);
+        let predicted = law.predicted.as_ref().map(|arriving| moved(arriving, &exact));
         insert(Quantity::PredictedMean, Quantity::PredictedCovariance, predicted.as_ref().unwrap_or(belief));
         let is_read = law.observation.rows() > 0;
         let mut derived = Derived::default();
         let (filtered, ahead) = if is_read {
             let innovation = Innovation::of(belief, law, &data, bits)?;
-            let updated = |target| target::updated(belief, law, &data, target, &innovation, bits);
-            let targets = (updated(&law.filtered), law.ahead.as_ref().map(updated));
+            let updated = |target, exact: &_| target::updated(belief, law, &data, (target, exact), &innovation, bits);
+            let targets = (
+                updated(&law.filtered, &exact),
+                law.ahead.as_ref().map(|target| updated(target, &prior(target))),
+            );
             let value = innovation.value_intervals(belief, law, &data, bits);
             let covariance = innovation.covariance_intervals(belief, law, bits);
             let (value, covariance) = law.readings.all(value, covariance, bits + BOUND_BITS);
@@ -194,8 +201,8 @@ impl<'a> CertifiedFilter<'a> {
             self.witness.whiten(innovation.whitening);
             targets
         } else {
-            let moved = |target| target::moved(belief, law, &data, target, bits);
-            let targets = (moved(&law.filtered), law.ahead.as_ref().map(moved));
+            let targets =
+                (moved(&law.filtered, &exact), law.ahead.as_ref().map(|target| moved(target, &prior(target))));
             insert(Quantity::FilteredMean, Quantity::FilteredCovariance, &targets.0);
             if !step.reading.present().is_empty() {
                 // Zeros without noise are read.
@@ -255,7 +262,7 @@ mod tests {
     use rand_pcg::Pcg64Mcg;
 
     use super::*;
-    use crate::certify::dyadics::Dyadics;
+    use crate::certify::packed::Packed;
     use crate::filter::filter;
     use crate::model::{Initial, Noise, Observation, System};
     use crate::scalar::ratio;
@@ -313,8 +320,8 @@ mod tests {
         }
     }
 
-    fn fractions(dyadics: &Dyadics) -> Matrix<Rational> {
-        Matrix::from_fn(dyadics.rows(), dyadics.mantissas.columns(), |i, j| dyadics.entry(i, j).value().expect("short"))
+    fn fractions(dyadics: &Packed) -> Matrix<Rational> {
+        Matrix::from_fn(dyadics.rows(), dyadics.columns(), |i, j| dyadics.entry(i, j).value().expect("short"))
     }
 
     /// How many steps were enclosed, and whether the run ended before its path, each step compared with the exact one.

@@ -6,12 +6,12 @@
 //!
 //! which is the inequality of Cauchy and Schwarz for `K − K̃ = ((K − K̃) Σ^½) Σ^−½`.
 
-use super::dyadics::Dyadics;
 use super::enclosed::{Enclosed, root};
 use super::grid::BOUND_BITS;
 use super::innovation::{Innovation, about, above, over, product, sum};
 use super::law::{Law, Target};
-use super::target::{Map, gain};
+use super::packed::Packed;
+use super::target::{Map, gain, prior};
 use crate::matrix::Matrix;
 use crate::scalar::{Interval, ratio};
 
@@ -38,7 +38,7 @@ impl Weights {
 }
 
 /// `|(A (P − P̃) Hᵀ)ᵢⱼ| ≤ √((AWAᵀ)ᵢᵢ (HWHᵀ)ⱼⱼ)`
-fn enclosed_cross(belief: &Enclosed, law: &Law, a: &Map<'_>, gamma: &Dyadics, bits: u64) -> Matrix<Interval> {
+fn enclosed_cross(belief: &Enclosed, law: &Law, a: &Map<'_>, gamma: &Packed, bits: u64) -> Matrix<Interval> {
     let (rows, columns) = (a.congruence(&belief.gap), law.observation.congruence(&belief.gap));
     Matrix::from_fn(gamma.rows(), columns.rows(), |i, j| {
         let square = over(&product(&rows.entry(i, i), &columns.entry(j, j)), &law.odd, 4);
@@ -51,14 +51,13 @@ fn enclosed_gain(
     law: &Law,
     target: &Target,
     innovation: &Innovation,
-    gamma: &Dyadics,
+    gamma: &Packed,
     bits: u64,
 ) -> Matrix<Interval> {
     let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
-    let prior = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
-    let proposed = gain(gamma, &prior, innovation, &law.noise_odd, bits);
+    let proposed = gain(gamma, &prior(belief, law, target), innovation, &law.noise_odd, bits);
     let defect = proposed.times(&innovation.covariance).minus(gamma);
-    let missed = defect.times(&innovation.whitening.transposed()).square();
+    let missed = defect.times_transposed(&innovation.whitening).square();
     let kept = a.less(&proposed.times(&law.observation)).congruence(&belief.gap);
     let two = product(&above(&ratio(2, 1)), &innovation.inverse_kappa);
     // (2/κ) (ρTᵀTρᵀ + w GWGᵀ), its diagonal.

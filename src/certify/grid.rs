@@ -8,8 +8,8 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::{One, Zero};
 
-use super::dyadics::{Dyadics, symmetric};
-use crate::matrix::Matrix;
+use super::dyadics::Dyadics;
+use super::packed::Packed;
 use crate::scalar::{Dyadic, Toward};
 
 /// Bits of bounds that are single numbers.
@@ -40,57 +40,63 @@ pub(super) fn nearest(mantissa: &BigInt, places: i64, odd: &BigInt) -> (BigInt, 
     (quotient, rest == under)
 }
 
-/// A symmetric matrix over an odd integer, each entry rounded to `bits` bits of its scale; and the diagonal that bounds the
-/// error from both sides.
-pub(super) fn rounded(matrix: &Dyadics, odd: &BigInt, scales: &[Option<i64>], bits: u64) -> (Dyadics, Vec<Dyadic>) {
-    let n = matrix.rows();
-    let bits = i64::try_from(bits).unwrap_or(i64::MAX);
-    let known = scales.iter().copied().flatten();
-    let least = known.min().unwrap_or(0);
-    // A row without a scale is zero, or exact.
-    let of = |i: usize| scales[i].unwrap_or(least);
-    let mut inexact = vec![0_u64; n];
-    let mantissas = symmetric(n, |i, j| {
-        let unit = of(i) + of(j) - bits;
-        let (mantissa, is_exact) = nearest(&matrix.mantissas[(i, j)], matrix.exponent - unit, odd);
-        if !is_exact {
-            inexact[i] += 1;
-            inexact[j] += u64::from(i != j);
-        }
-        mantissa << (of(i) + of(j) - 2 * least)
-    });
-    let pad = (0..n).map(|i| Dyadic::new(inexact[i].into(), 2 * of(i) - bits - 1)).collect();
-    (Dyadics { mantissas, exponent: 2 * least - bits }, pad)
-}
-
-/// A positive semidefinite matrix of few bits that is not below the given one plus a nonnegative diagonal.
-pub(super) fn up(matrix: &Dyadics, diagonal: &[Dyadic], bits: u64) -> Dyadics {
-    let sums: Vec<Dyadic> = matrix
-        .diagonal()
-        .iter()
-        .zip(diagonal)
-        .map(|(entry, more)| entry.plus(more, BOUND_BITS, Toward::Above))
-        .collect();
-    let scales: Vec<Option<i64>> = sums.iter().map(scale).collect();
-    let (rounded, pad) = rounded(matrix, &BigInt::one(), &scales, bits);
-    let total: Vec<Dyadic> =
-        pad.iter().zip(diagonal).map(|(pad, more)| pad.plus(more, BOUND_BITS, Toward::Above)).collect();
-    raised(&rounded, &total, &scales, bits)
-}
-
-/// The matrix plus a nonnegative diagonal, whose entries are rounded up to the bits of their scales.
-fn raised(matrix: &Dyadics, diagonal: &[Dyadic], scales: &[Option<i64>], bits: u64) -> Dyadics {
-    let bits = i64::try_from(bits).unwrap_or(i64::MAX);
-    let more = Matrix::from_fn(matrix.rows(), matrix.rows(), |i, j| {
-        let Some(scale) = scales[i].filter(|_| i == j) else { return BigInt::zero() };
-        let (mantissa, exponent) = diagonal[i].parts();
-        // Never below the unit of the matrix, so that this does not lengthen it.
-        let unit = 2 * scale - bits;
-        let up = match exponent - unit {
-            places if places >= 0 => mantissa << places,
-            places => Integer::div_ceil(mantissa, &(BigInt::one() << places.unsigned_abs())),
+impl Packed {
+    /// A symmetric matrix over an odd integer, each entry rounded to `bits` bits of its scale; and the diagonal that bounds the
+    /// error from both sides.
+    pub(super) fn rounded(&self, odd: &BigInt, scales: &[Option<i64>], bits: u64) -> (Self, Vec<Dyadic>) {
+        let bits = i64::try_from(bits).unwrap_or(i64::MAX);
+        let known = scales.iter().copied().flatten();
+        let least = known.min().unwrap_or(0);
+        // A row without a scale is zero, or exact.
+        let of = |i: usize| scales[i].unwrap_or(least);
+        let mut inexact = vec![0_u64; self.rows()];
+        let count = |i: usize, j: usize, is_exact: bool| {
+            if !is_exact {
+                inexact[i] += 1;
+                inexact[j] += u64::from(i != j);
+            }
         };
-        up << (unit - matrix.exponent)
-    });
-    Dyadics { mantissas: &matrix.mantissas + more, exponent: matrix.exponent }
+        let rounded = self.to_units(odd, (2 * least - bits, |i, j| of(i) + of(j) - bits), true, count);
+        let pad = inexact.iter().enumerate().map(|(i, &count)| Dyadic::new(count.into(), 2 * of(i) - bits - 1)).collect();
+        (rounded, pad)
+    }
+
+    /// A positive semidefinite matrix of few bits that is not below this one plus a nonnegative diagonal.
+    pub(super) fn up(&self, diagonal: &[Dyadic], bits: u64) -> Self {
+        let own = self.diagonal();
+        let sums = own.iter().zip(diagonal).map(|(entry, more)| entry.plus(more, BOUND_BITS, Toward::Above));
+        let scales: Vec<Option<i64>> = sums.map(|sum| scale(&sum)).collect();
+        let (rounded, pad) = self.rounded(&BigInt::one(), &scales, bits);
+        let total: Vec<Dyadic> =
+            pad.iter().zip(diagonal).map(|(pad, more)| pad.plus(more, BOUND_BITS, Toward::Above)).collect();
+        rounded.raised(&total, &scales, bits)
+    }
+
+    /// The matrix plus a nonnegative diagonal, whose entries are rounded up to the bits of their scales.
+    fn raised(&self, diagonal: &[Dyadic], scales: &[Option<i64>], bits: u64) -> Self {
+        let bits = i64::try_from(bits).unwrap_or(i64::MAX);
+        let more = |(entry, scale): (&Dyadic, &Option<i64>)| {
+            let Some(scale) = scale else { return BigInt::zero() };
+            let (mantissa, exponent) = entry.parts();
+            // Never below the unit of the matrix, so that this does not lengthen it.
+            let unit = 2 * scale - bits;
+            let up = match exponent - unit {
+                places if places >= 0 => mantissa << places,
+                places => Integer::div_ceil(mantissa, &(BigInt::one() << places.unsigned_abs())),
+            };
+            up << (unit - self.exponent())
+        };
+        self.plus_diagonal(&diagonal.iter().zip(scales).map(more).collect::<Vec<_>>())
+    }
+}
+
+/// [`Packed::rounded`]
+pub(super) fn rounded(matrix: &Dyadics, odd: &BigInt, scales: &[Option<i64>], bits: u64) -> (Dyadics, Vec<Dyadic>) {
+    let (rounded, pad) = Packed::from(matrix).rounded(odd, scales, bits);
+    (rounded.dyadics(), pad)
+}
+
+/// [`Packed::up`]
+pub(super) fn up(matrix: &Dyadics, diagonal: &[Dyadic], bits: u64) -> Dyadics {
+    Packed::from(matrix).up(diagonal, bits).dyadics()
 }

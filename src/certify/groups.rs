@@ -45,9 +45,19 @@ impl Sets {
 
     /// Joins a row with a column, each counted from an offset, wherever a matrix is not zero.
     fn link(&mut self, matrix: &Matrix<Rational>, rows: usize, columns: usize) {
-        for i in 0..matrix.rows() {
-            for (j, entry) in matrix.row(i).iter().enumerate() {
-                if *entry != Rational::zero() {
+        self.link_some(matrix, (0..matrix.rows(), rows), (0..matrix.columns(), columns));
+    }
+
+    /// The same for some rows and some columns, which are counted as they come.
+    fn link_some(
+        &mut self,
+        matrix: &Matrix<Rational>,
+        (some_rows, rows): (impl Iterator<Item = usize>, usize),
+        (some_columns, columns): (impl Iterator<Item = usize> + Clone, usize),
+    ) {
+        for (i, row) in some_rows.enumerate() {
+            for (j, column) in some_columns.clone().enumerate() {
+                if matrix[(row, column)] != Rational::zero() {
                     self.join(rows + i, columns + j);
                 }
             }
@@ -69,10 +79,9 @@ impl Groups {
 
     /// The groups at a step that begins with these; `arrives` if its transition leads to the state that is read.
     pub(super) fn linked(&self, step: &Step<Rational>, timing: Timing, arrives: bool) -> Linked {
-        let observed = step.reading.present();
+        let observed = &step.reading.present();
+        let seen = || observed.iter().copied();
         let (n, m) = (self.0.len(), observed.len());
-        let (observation, noise) =
-            (step.observation.select_rows(&observed), step.observation_noise.select(&observed, &observed));
         let transition = step.transition.as_ref();
         // The state before, the state that is read, the one after it, the reading.
         let (read, after, sensors) = (n, 2 * n, 3 * n);
@@ -85,20 +94,17 @@ impl Groups {
             None => (0..n).for_each(|i| sets.join(read + i, i)),
         }
         let predicted = sets.groups(read, n);
-        sets.link(&observation, sensors, read);
-        sets.link(&noise, sensors, sensors);
-        let shared = transition.map(|transition| transition.cross_noise.select_columns(&observed));
-        if let Some(shared) = shared.as_ref().filter(|_| timing == Timing::Arriving) {
-            sets.link(shared, read, sensors);
+        sets.link_some(&step.observation, (seen(), sensors), (0..n, read));
+        sets.link_some(&step.observation_noise, (seen(), sensors), (seen(), sensors));
+        if let Some(transition) = transition.filter(|_| timing == Timing::Arriving) {
+            sets.link_some(&transition.cross_noise, (0..n, read), (seen(), sensors));
         }
         let (filtered, of_sensors) = (sets.groups(read, n), sets.groups(sensors, m));
         let next = match transition.filter(|_| timing == Timing::Departing) {
             Some(transition) => {
                 sets.link(&transition.matrix, after, read);
                 sets.link(&transition.noise, after, after);
-                if let Some(shared) = &shared {
-                    sets.link(shared, after, sensors);
-                }
+                sets.link_some(&transition.cross_noise, (0..n, after), (seen(), sensors));
                 sets.groups(after, n)
             }
             None => filtered.clone(),

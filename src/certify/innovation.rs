@@ -1,13 +1,13 @@
 //! What a reading says, enclosed: the covariance of the innovation is regular, and how far from what was computed.
 
 use num_bigint::BigInt;
-use num_traits::{One, Signed, Zero};
+use num_traits::One;
 
 use super::Undecided;
-use super::dyadics::Dyadics;
-use super::enclosed::{Enclosed, column, intervals};
+use super::enclosed::{Enclosed, column};
 use super::grid::BOUND_BITS;
 use super::law::{Data, Law};
+use super::packed::Packed;
 use super::whitening::whitening;
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Interval, Rational, Toward, ratio};
@@ -19,17 +19,17 @@ use crate::scalar::{Dyadic, Interval, Rational, Toward, ratio};
 #[derive(Clone, Debug)]
 pub(super) struct Innovation {
     /// P̃ Hᵀ, over e.
-    pub(super) seen_covariance: Dyadics,
+    pub(super) seen_covariance: Packed,
     /// Σ̃, over w = e² l.
-    pub(super) covariance: Dyadics,
+    pub(super) covariance: Packed,
     /// T
-    pub(super) whitening: Dyadics,
+    pub(super) whitening: Packed,
     /// 1/κ, or more.
     pub(super) inverse_kappa: Dyadic,
     /// w
     pub(super) spread: Dyadic,
     /// ν̃ = y − c − H x̃, over o.
-    pub(super) value: Dyadics,
+    pub(super) value: Packed,
     /// τ² ≥ νᵀ Σ⁻¹ ν for every P and x̂ that are enclosed.
     pub(super) square: Dyadic,
 }
@@ -66,10 +66,10 @@ impl Innovation {
     /// [`Undecided`] unless κ ≥ 1/4: Σ is singular, or too near to it for so many bits.
     pub(super) fn of(belief: &Enclosed, law: &Law, data: &Data, bits: u64) -> Result<Self, Undecided> {
         let h = &law.observation;
-        let seen_covariance = belief.covariance.times(&h.transposed());
+        let seen_covariance = belief.covariance.times_transposed(h);
         let covariance = h.times(&seen_covariance).scaled(&law.lift).plus(&law.noise);
-        let t = whitening(&covariance, &law.noise_odd, bits).ok_or(Undecided)?;
-        let eta = over(&largest_row_sum(&excess(&t.congruence(&covariance), &law.noise_odd)), &law.noise_odd, 1);
+        let t = Packed::from(&whitening(&covariance.dyadics(), &law.noise_odd, bits).ok_or(Undecided)?);
+        let eta = over(&excess(&t.congruence(&covariance), &law.noise_odd).largest_row_sum(), &law.noise_odd, 1);
         let through = t.times(h);
         let spread = over(&through.congruence(&belief.gap).trace(), &law.odd, 2).shortened(BOUND_BITS, Toward::Above);
         let kappa = Dyadic::one().plus(&sum(&eta, &spread).negated(), BOUND_BITS, Toward::Below);
@@ -92,9 +92,13 @@ impl Innovation {
     /// Each entry of Σ: `−HWHᵀ ≤ Σ − Σ̃ ≤ HWHᵀ`.
     pub(super) fn covariance_intervals(&self, belief: &Enclosed, law: &Law, bits: u64) -> Matrix<Interval> {
         let gap = law.observation.congruence(&belief.gap).scaled(&law.lift);
+        let entries = self.covariance.within(&gap, bits);
+        if law.noise_odd.is_one() {
+            return entries;
+        }
         let odd = Interval::between(whole(&law.noise_odd), whole(&law.noise_odd));
         let entry = |entry: &Interval| entry.over(&odd, bits + BOUND_BITS).unwrap_or_else(|_| unreachable!("odd"));
-        intervals(&self.covariance, &gap, bits).map(entry)
+        entries.map(entry)
     }
 
     /// Each entry of ν: `|νⱼ − ν̃ⱼ| ≤ √(HEHᵀ)ⱼⱼ`.
@@ -125,14 +129,6 @@ fn whole(integer: &BigInt) -> Dyadic {
 }
 
 /// A symmetric matrix less d I.
-fn excess(matrix: &Dyadics, d: &BigInt) -> Dyadics {
-    let identity = Dyadics { mantissas: Matrix::identity(matrix.rows()), exponent: 0 };
-    matrix.minus(&identity.scaled(d))
-}
-
-/// The largest sum of the magnitudes of a row.
-fn largest_row_sum(matrix: &Dyadics) -> Dyadic {
-    let rows = (0..matrix.rows()).map(|i| matrix.mantissas.row(i));
-    let sums = rows.map(|row| row.iter().fold(BigInt::zero(), |sum, entry| sum + entry.abs()));
-    Dyadic::new(sums.max().unwrap_or_default(), matrix.exponent)
+fn excess(matrix: &Packed, d: &BigInt) -> Packed {
+    matrix.minus(&Packed::identity(matrix.rows()).scaled(d))
 }

@@ -6,6 +6,7 @@ use num_traits::One;
 
 use super::Undecided;
 use super::dyadics::{Dyadics, odd_denominator};
+use super::packed::Packed;
 use super::readings::Readings;
 use crate::matrix::Matrix;
 use crate::model::{Step, Timing, Transition};
@@ -15,11 +16,11 @@ use crate::scalar::Rational;
 #[derive(Clone, Debug)]
 pub(super) struct Target {
     /// A, over e; nothing for the identity.
-    pub(super) map: Option<Dyadics>,
+    pub(super) map: Option<Packed>,
     /// Q, over w.
-    pub(super) noise: Dyadics,
+    pub(super) noise: Packed,
     /// S, over w.
-    pub(super) cross: Dyadics,
+    pub(super) cross: Packed,
     /// Which exact input belongs to it.
     pub(super) input: Input,
 }
@@ -41,15 +42,20 @@ pub(super) struct Law {
     /// Which of the entries of a reading are used, and what the others are.
     pub(super) readings: Readings,
     /// H, over e; no rows where nothing is read.
-    pub(super) observation: Dyadics,
+    pub(super) observation: Packed,
     /// R, over w.
-    pub(super) noise: Dyadics,
-    /// The state before the reading, if it is not the one that is carried.
+    pub(super) noise: Packed,
+    /// The state before the reading, if it is not the one that is carried: with the map and the noise of the state given it.
     pub(super) predicted: Option<Target>,
     /// The state given the reading.
     pub(super) filtered: Target,
     /// The state after the departing transition, given the reading.
     pub(super) ahead: Option<Target>,
+}
+
+/// A matrix over an odd integer.
+fn packed(matrix: &Matrix<Rational>, odd: &BigInt) -> Packed {
+    Packed::from(&Dyadics::of(matrix, odd))
 }
 
 /// A target in fractions.
@@ -68,9 +74,9 @@ pub(super) struct Data {
     /// o/e
     pub(super) lift: BigInt,
     /// y − c, and for the arriving timing − C b.
-    pub(super) seen: Dyadics,
+    pub(super) seen: Packed,
     /// b of the transition.
-    pub(super) input: Option<Dyadics>,
+    pub(super) input: Option<Packed>,
 }
 
 impl Law {
@@ -133,8 +139,8 @@ impl Law {
     pub(super) fn input(&self, transition: &Transition<Rational>) -> Data {
         let odd = odd_denominator(self.odd.clone(), transition.input.entries());
         Data {
-            seen: Dyadics::of(&Matrix::zeros(0, 1), &odd),
-            input: Some(Dyadics::of(&transition.input, &odd)),
+            seen: packed(&Matrix::zeros(0, 1), &odd),
+            input: Some(packed(&transition.input, &odd)),
             lift: odd.div_floor(&self.odd),
             odd,
         }
@@ -154,14 +160,14 @@ impl Law {
         let noises = targets().flat_map(|target| [&target.noise, &target.cross]).chain([noise]);
         let noise_odd = noises.fold(square.clone(), |odd, noise| odd_denominator(odd, noise.entries()));
         let target = |exact: &Exact| Target {
-            map: exact.map.as_ref().map(|map| Dyadics::of(map, &odd)),
-            noise: Dyadics::of(&exact.noise, &noise_odd),
-            cross: Dyadics::of(&exact.cross, &noise_odd),
+            map: exact.map.as_ref().map(|map| packed(map, &odd)),
+            noise: packed(&exact.noise, &noise_odd),
+            cross: packed(&exact.cross, &noise_odd),
             input: exact.input,
         };
         Self {
-            observation: Dyadics::of(observation, &odd),
-            noise: Dyadics::of(noise, &noise_odd),
+            observation: packed(observation, &odd),
+            noise: packed(noise, &noise_odd),
             predicted: predicted.map(target),
             filtered: target(filtered),
             ahead: ahead.map(target),
@@ -186,8 +192,8 @@ impl Law {
         let entries = seen.entries().iter().chain(input.into_iter().flat_map(Matrix::entries));
         let odd = odd_denominator(self.odd.clone(), entries);
         Ok(Data {
-            seen: Dyadics::of(&seen, &odd),
-            input: input.map(|input| Dyadics::of(input, &odd)),
+            seen: packed(&seen, &odd),
+            input: input.map(|input| packed(input, &odd)),
             lift: odd.div_floor(&self.odd),
             odd,
         })

@@ -10,11 +10,11 @@
 use num_bigint::BigInt;
 use num_traits::One;
 
-use super::dyadics::Dyadics;
 use super::enclosed::{Enclosed, root};
 use super::grid::BOUND_BITS;
 use super::innovation::{Innovation, about, above, over, product, sum};
 use super::law::{Data, Law};
+use super::packed::Packed;
 use crate::scalar::{Dyadic, Interval, Logarithms, Rational, Toward, ratio};
 
 /// The parts of the log likelihood of a reading, `−½ (quadratic + ln pseudo_determinant + rank · ln 2π)`, each in its interval.
@@ -129,8 +129,8 @@ impl Likelihoods {
 fn determinant(law: &Law, innovation: &Innovation, bits: u64) -> Option<Interval> {
     let matrix = &innovation.covariance;
     let m = matrix.rows();
-    let whole = matrix.mantissas.determinant().ok()?;
-    let exponent = matrix.exponent.checked_mul(i64::try_from(m).ok()?)?;
+    let whole = matrix.dyadics().mantissas.determinant().ok()?;
+    let exponent = matrix.exponent().checked_mul(i64::try_from(m).ok()?)?;
     let divisor = law.noise_odd.pow(u32::try_from(m).ok()?);
     let whole = Dyadic::new(whole, 0);
     let power = Dyadic::new(One::one(), exponent);
@@ -175,7 +175,7 @@ fn quadratic(belief: &Enclosed, law: &Law, data: &Data, innovation: &Innovation,
     let rest = value.scaled(&law.noise_odd).minus(&innovation.covariance.times(&z));
     let rest = over(&over(&t.times(&rest).squared_norm(), &law.noise_odd, 2), &data.odd, 2);
     let through = row.times(h);
-    let along = |matrix: &Dyadics| over(&over(&through.congruence(matrix).entry(0, 0), &law.odd, 2), &data.odd, 2);
+    let along = |matrix: &Packed| over(&over(&through.congruence(matrix).entry(0, 0), &law.odd, 2), &data.odd, 2);
     let (of_gap, of_mean) = (along(&belief.gap), along(&belief.ellipsoid));
     let unknown = over(&t.times(h).congruence(&belief.ellipsoid).trace(), &law.odd, 2);
     let root_of = |square: &Dyadic| if square.is_zero() { Dyadic::zero() } else { root(square) };

@@ -22,6 +22,7 @@ mod growth;
 mod innovation;
 mod law;
 mod likelihood;
+mod packed;
 #[cfg(feature = "judge")]
 mod raised;
 mod readings;

@@ -49,7 +49,10 @@ impl Readings {
     /// [`Undecided`] if the others do not follow from them.
     pub(super) fn seen(&self, step: &Step<Rational>) -> Result<Matrix<Rational>, Undecided> {
         let observed = step.reading.present();
-        let all = step.reading.values() - step.observation_input.select_rows(&observed);
+        let mut all = step.reading.values();
+        if !step.observation_input.is_zero() {
+            all = all - step.observation_input.select_rows(&observed);
+        }
         let Some(combination) = &self.combination else { return Ok(all) };
         let place = |sensor: &usize| observed.iter().position(|other| other == sensor);
         let kept = all.select_rows(&self.kept.iter().filter_map(place).collect::<Vec<_>>());

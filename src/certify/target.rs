@@ -14,12 +14,11 @@
 use num_bigint::BigInt;
 use num_traits::One;
 
-use super::dyadics::Dyadics;
 use super::enclosed::{Enclosed, Proof, ellipsoid_of, rounded_mean};
-use super::grid::{BOUND_BITS, nearest, rounded, scale, up};
+use super::grid::{BOUND_BITS, scale};
 use super::innovation::{Innovation, above, over, product, sum};
 use super::law::{Data, Input, Law, Target};
-use crate::matrix::Matrix;
+use super::packed::Packed;
 use crate::scalar::{Dyadic, Toward, ratio};
 
 /// Bits of W and E.
@@ -31,53 +30,58 @@ const GUARD: u64 = 16;
 /// A, as integers over e.
 pub(super) struct Map<'l> {
     /// Nothing for the identity.
-    pub(super) matrix: Option<&'l Dyadics>,
+    pub(super) matrix: Option<&'l Packed>,
     pub(super) odd: &'l BigInt,
 }
 
 impl Map<'_> {
-    pub(super) fn times(&self, right: &Dyadics) -> Dyadics {
+    pub(super) fn times(&self, right: &Packed) -> Packed {
         self.matrix.map_or_else(|| right.scaled(self.odd), |matrix| matrix.times(right))
     }
 
-    pub(super) fn congruence(&self, middle: &Dyadics) -> Dyadics {
+    pub(super) fn congruence(&self, middle: &Packed) -> Packed {
         self.matrix.map_or_else(|| middle.scaled(&(self.odd * self.odd)), |matrix| matrix.congruence(middle))
     }
 
-    pub(super) fn less(&self, other: &Dyadics) -> Dyadics {
+    pub(super) fn less(&self, other: &Packed) -> Packed {
         match self.matrix {
             Some(matrix) => matrix.minus(other),
-            None => Dyadics { mantissas: Matrix::identity(other.rows()), exponent: 0 }.scaled(self.odd).minus(other),
+            None => Packed::identity(other.rows()).scaled(self.odd).minus(other),
         }
     }
 }
 
-/// The law of a target given the reading.
+/// `A P̃ Aᵀ + Q` of a target, over w.
+pub(super) fn prior(belief: &Enclosed, law: &Law, target: &Target) -> Packed {
+    let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
+    a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise)
+}
+
+/// The law of a target given the reading, from its prior.
 pub(super) fn updated(
     belief: &Enclosed,
     law: &Law,
     data: &Data,
-    target: &Target,
+    (target, prior): (&Target, &Packed),
     innovation: &Innovation,
     bits: u64,
 ) -> Enclosed {
     let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
-    // All over w: Γ̃ = A P̃ Hᵀ + S, and A P̃ Aᵀ + Q.
+    // Γ̃ = A P̃ Hᵀ + S, over w.
     let gamma = a.times(&innovation.seen_covariance).scaled(&law.lift).plus(&target.cross);
-    let prior = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
-    let gain = gain(&gamma, &prior, innovation, &law.noise_odd, bits);
+    let gain = gain(&gamma, prior, innovation, &law.noise_odd, bits);
     let defect = gain.times(&innovation.covariance).minus(&gamma);
     // A P̃ Aᵀ + Q − Γ̃K̃ᵀ − K̃Γ̃ᵀ + K̃Σ̃K̃ᵀ
-    let joseph = prior.minus(&gamma.times(&gain.transposed())).plus(&gain.times(&defect.transposed()));
+    let joseph = prior.with_products((&gain, &defect), (&gamma, &gain));
     let closed = a.less(&gain.times(&law.observation));
     let kept = closed.congruence(&belief.gap);
-    let missed = defect.times(&innovation.whitening.transposed()).square();
+    let missed = defect.times_transposed(&innovation.whitening).square();
     let two = above(&ratio(2, 1));
     let second = product(&two, &innovation.inverse_kappa);
     let first = sum(&Dyadic::one(), &product(&second, &innovation.spread));
     let gap = kept.multiple(&over(&first, &law.odd, 2)).plus(&missed.multiple(&over(&second, &law.noise_odd, 2)));
     let scales = Enclosed::scales(&over_each(joseph.diagonal(), &law.noise_odd), &gap.diagonal());
-    let (covariance, pad) = rounded(&joseph, &law.noise_odd, &scales, bits);
+    let (covariance, pad) = joseph.rounded(&law.noise_odd, &scales, bits);
     // The mean, over o.
     let moved = a.times(&belief.mean).scaled(&data.lift).plus(&gain.times(&innovation.value));
     let moved = with_input(moved, target, data);
@@ -90,26 +94,31 @@ pub(super) fn updated(
     let carried = closed.congruence(&belief.ellipsoid).multiple(&over(&Dyadic::one(), &law.odd, 2));
     let (ellipsoid, balance) = joined(&carried, &local, &scales);
     let proof = Proof { gain: Some(gain), balance };
-    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid, proof }
+    Enclosed { covariance, gap: gap.up(&pad, GAP_BITS), mean, ellipsoid, proof }
 }
 
-/// The law of a target without a reading.
-pub(super) fn moved(belief: &Enclosed, law: &Law, data: &Data, target: &Target, bits: u64) -> Enclosed {
+/// The law of a target without a reading, from its prior.
+pub(super) fn moved(
+    belief: &Enclosed,
+    law: &Law,
+    data: &Data,
+    (target, exact): (&Target, &Packed),
+    bits: u64,
+) -> Enclosed {
     let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
-    let exact = a.congruence(&belief.covariance).scaled(&law.lift).plus(&target.noise);
     let square = over(&Dyadic::one(), &law.odd, 2);
     let gap = a.congruence(&belief.gap).multiple(&square);
     let scales = Enclosed::scales(&over_each(exact.diagonal(), &law.noise_odd), &gap.diagonal());
-    let (covariance, pad) = rounded(&exact, &law.noise_odd, &scales, bits);
+    let (covariance, pad) = exact.rounded(&law.noise_odd, &scales, bits);
     let moved = with_input(a.times(&belief.mean).scaled(&data.lift), target, data);
     let (mean, errors) = rounded_mean(&moved, &data.odd, &scales, bits);
     let carried = a.congruence(&belief.ellipsoid).multiple(&square);
     let (ellipsoid, balance) = joined(&carried, &ellipsoid_of(&errors), &scales);
     let proof = Proof { gain: None, balance };
-    Enclosed { covariance, gap: up(&gap, &pad, GAP_BITS), mean, ellipsoid, proof }
+    Enclosed { covariance, gap: gap.up(&pad, GAP_BITS), mean, ellipsoid, proof }
 }
 
-fn with_input(mean: Dyadics, target: &Target, data: &Data) -> Dyadics {
+fn with_input(mean: Packed, target: &Target, data: &Data) -> Packed {
     match &data.input {
         Some(input) if target.input == Input::Transition => mean.plus(input),
         _ => mean,
@@ -117,9 +126,9 @@ fn with_input(mean: Dyadics, target: &Target, data: &Data) -> Dyadics {
 }
 
 /// K̃ ≈ Γ̃Σ̃⁻¹ ≈ Γ̃TᵀT, each entry to so many bits of what a deviation of its reading does to its state. Any gain would do.
-pub(super) fn gain(gamma: &Dyadics, prior: &Dyadics, innovation: &Innovation, odd: &BigInt, bits: u64) -> Dyadics {
+pub(super) fn gain(gamma: &Packed, prior: &Packed, innovation: &Innovation, odd: &BigInt, bits: u64) -> Packed {
     let t = &innovation.whitening;
-    let exact = gamma.times(&t.transposed()).times(t);
+    let exact = gamma.times_transposed(t).times(t);
     let rows: Vec<i64> = over_each(prior.diagonal(), odd).iter().map(|v| scale(v).unwrap_or(0)).collect();
     // T has the unit of the reciprocal deviation of its column.
     let columns: Vec<i64> =
@@ -127,11 +136,7 @@ pub(super) fn gain(gamma: &Dyadics, prior: &Dyadics, innovation: &Innovation, od
     let kept = i64::try_from(bits + GUARD).unwrap_or(i64::MAX);
     let (row, column) = (rows.iter().min().unwrap_or(&0), columns.iter().min().unwrap_or(&0));
     let least = row + column - kept;
-    let mantissas = Matrix::from_fn(exact.rows(), t.rows(), |i, j| {
-        let unit = rows[i] + columns[j] - kept;
-        nearest(&exact.mantissas[(i, j)], exact.exponent - unit, odd).0 << (unit - least)
-    });
-    Dyadics { mantissas, exponent: least }
+    exact.to_units(odd, (least, |i, j| rows[i] + columns[j] - kept), false, |_, _, _| ())
 }
 
 fn over_each(entries: Vec<Dyadic>, odd: &BigInt) -> Vec<Dyadic> {
@@ -140,12 +145,12 @@ fn over_each(entries: Vec<Dyadic>, odd: &BigInt) -> Vec<Dyadic> {
 
 /// `(a + b)(a + b)ᵀ ≤ (1 + α) E₁ + (1 + 1/α) E₂`, with an α near the best in the units of the coordinates; and k of
 /// α = 2⁻ᵏ.
-fn joined(carried: &Dyadics, local: &Dyadics, scales: &[Option<i64>]) -> (Dyadics, Option<i64>) {
+fn joined(carried: &Packed, local: &Packed, scales: &[Option<i64>]) -> (Packed, Option<i64>) {
     let nothing = vec![Dyadic::zero(); carried.rows()];
     if carried.is_zero() || local.is_zero() {
-        return (up(if carried.is_zero() { local } else { carried }, &nothing, GAP_BITS), None);
+        return (if carried.is_zero() { local } else { carried }.up(&nothing, GAP_BITS), None);
     }
-    let size = |matrix: &Dyadics| {
+    let size = |matrix: &Packed| {
         let entry = |(i, entry): (usize, Dyadic)| {
             entry.times(&Dyadic::new(BigInt::one(), -2 * scales[i].unwrap_or(0)), BOUND_BITS, Toward::Above)
         };
@@ -158,5 +163,5 @@ fn joined(carried: &Dyadics, local: &Dyadics, scales: &[Option<i64>]) -> (Dyadic
     let inverse = Dyadic::new(BigInt::one(), k);
     let factor = |more: &Dyadic| sum(&Dyadic::one(), more);
     let total = carried.multiple(&factor(&alpha)).plus(&local.multiple(&factor(&inverse)));
-    (up(&total, &nothing, GAP_BITS), Some(k))
+    (total.up(&nothing, GAP_BITS), Some(k))
 }

@@ -1,100 +1,45 @@
-//! Products of matrices of integers of a few words each.
+//! Arithmetic on integers that stand in a place of fixed length, word by word, the least first.
 //!
-//! With integers this short, memory that is asked for and given back takes longer than multiplying. So the words of a whole matrix stand
-//! beside each other, and a sum of products is made in one place.
+//! With integers this short, memory that is asked for and given back takes longer than multiplying. So a sum of products is made in one
+//! place: in two's complement, of which the magnitude is taken at the end.
 
-use num_bigint::{BigInt, BigUint, Sign};
+const WORD: u64 = 64;
 
-use crate::matrix::Matrix;
-
-/// Beyond so many words, products of single integers are faster (Karatsuba and better).
-const MOST_WORDS: usize = 24;
-
-/// The entries of a matrix row by row, each as its magnitude of `length` words, the least first, and its sign.
-#[derive(Debug)]
-struct Words {
-    rows: usize,
-    columns: usize,
-    length: usize,
-    magnitudes: Vec<u64>,
-    negative: Vec<bool>,
+/// An integer as its magnitude, without leading zeros, and its sign.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Integer<'w> {
+    pub(super) words: &'w [u64],
+    pub(super) negative: bool,
 }
 
-/// An integer of the matrix: no leading zeros.
-#[derive(Clone, Copy)]
-struct Integer<'w> {
-    words: &'w [u64],
-    negative: bool,
+impl<'w> Integer<'w> {
+    pub(super) fn new(words: &'w [u64], negative: bool) -> Self {
+        Self { words: &words[..used(words)], negative }
+    }
+
+    pub(super) fn negated(self) -> Self {
+        Self { negative: !self.negative, ..self }
+    }
+
+    /// The length of the magnitude in bits.
+    pub(super) fn bits(self) -> u64 {
+        let above = self.words.len().saturating_sub(1) as u64 * WORD;
+        self.words.last().map_or(0, |last| above + WORD - u64::from(last.leading_zeros()))
+    }
 }
 
-fn length(matrix: &Matrix<BigInt>) -> usize {
-    matrix.entries().iter().map(|entry| entry.magnitude().iter_u64_digits().len()).max().unwrap_or(0)
+/// How many words there are up to the last one that is not zero.
+pub(super) fn used(words: &[u64]) -> usize {
+    words.iter().rposition(|&word| word != 0).map_or(0, |last| last + 1)
 }
 
-impl Words {
-    /// The entries of a matrix.
-    fn of(matrix: &Matrix<BigInt>) -> Self {
-        Self::pack(matrix.rows(), matrix.columns(), matrix.entries().iter(), length(matrix))
-    }
-
-    /// The entries of the transpose of a matrix.
-    fn of_transpose(matrix: &Matrix<BigInt>) -> Self {
-        let (rows, columns) = (matrix.columns(), matrix.rows());
-        let entries = (0..rows).flat_map(|i| (0..columns).map(move |j| &matrix[(j, i)]));
-        Self::pack(rows, columns, entries, length(matrix))
-    }
-
-    fn pack<'e>(rows: usize, columns: usize, entries: impl Iterator<Item = &'e BigInt>, length: usize) -> Self {
-        let mut magnitudes = Vec::with_capacity(rows * columns * length);
-        let mut negative = Vec::with_capacity(rows * columns);
-        for entry in entries {
-            magnitudes.extend(entry.magnitude().iter_u64_digits());
-            negative.push(entry.sign() == Sign::Minus);
-            magnitudes.resize(negative.len() * length, 0);
-        }
-        Self { rows, columns, length, magnitudes, negative }
-    }
-
-    fn integer(&self, row: usize, column: usize) -> Integer<'_> {
-        let place = row * self.columns + column;
-        let words = &self.magnitudes[place * self.length..(place + 1) * self.length];
-        let leading = words.iter().rev().take_while(|&&word| word == 0).count();
-        Integer { words: &words[..self.length - leading], negative: self.negative[place] }
-    }
-
-    /// `Σₖ aᵢₖ bⱼₖ` for all rows i of these and j of others, or for j ≤ i where the product is known to be symmetric.
-    fn by_rows_of(&self, other: &Self, is_symmetric: bool) -> Self {
-        let (rows, columns) = (self.rows, other.rows);
-        // The last word takes the carries of all sums, and the sign.
-        let length = self.length + other.length + 1;
-        let mut magnitudes = vec![0; rows * columns * length];
-        let mut negative = vec![false; rows * columns];
-        for i in 0..rows {
-            for j in 0..if is_symmetric { i + 1 } else { columns } {
-                let place = i * columns + j;
-                let sum = &mut magnitudes[place * length..(place + 1) * length];
-                for k in 0..self.columns {
-                    add_product(sum, self.integer(i, k), other.integer(j, k));
-                }
-                if sum.last().is_some_and(|last| last >> 63 == 1) {
-                    negate(sum);
-                    negative[place] = true;
-                }
-            }
-        }
-        Self { rows, columns, length, magnitudes, negative }
-    }
-
-    fn unpacked(&self, row: usize, column: usize) -> BigInt {
-        let Integer { words, negative } = self.integer(row, column);
-        #[expect(clippy::cast_possible_truncation, reason = "the two halves of a word")]
-        let halves = words.iter().flat_map(|&word| [word as u32, (word >> 32) as u32]).collect();
-        BigInt::from_biguint(if negative { Sign::Minus } else { Sign::Plus }, BigUint::new(halves))
-    }
+/// Words that hold so many bits and a sign.
+pub(super) fn length(bits: u64) -> usize {
+    usize::try_from(bits / WORD + 1).unwrap_or(usize::MAX)
 }
 
 /// Adds a product to a sum in two's complement.
-fn add_product(sum: &mut [u64], a: Integer<'_>, b: Integer<'_>) {
+pub(super) fn add_product(sum: &mut [u64], a: Integer<'_>, b: Integer<'_>) {
     let adds = a.negative == b.negative;
     for (i, &x) in a.words.iter().enumerate() {
         if x == 0 {
@@ -123,7 +68,72 @@ fn add_product(sum: &mut [u64], a: Integer<'_>, b: Integer<'_>) {
     }
 }
 
-fn negate(words: &mut [u64]) {
+/// Adds `a · 2^places` to a sum in two's complement.
+pub(super) fn add_shifted(sum: &mut [u64], a: Integer<'_>, places: u64) {
+    let (skipped, shift) = (usize::try_from(places / WORD).unwrap_or(usize::MAX), places % WORD);
+    let (mut below, mut carry) = (0, false);
+    for (i, word) in sum.iter_mut().skip(skipped).enumerate() {
+        let own = a.words.get(i).copied();
+        let lifted = own.unwrap_or(0) << shift | below;
+        below = if shift == 0 { 0 } else { own.unwrap_or(0) >> (WORD - shift) };
+        let (next, first) = if a.negative { word.overflowing_sub(lifted) } else { word.overflowing_add(lifted) };
+        let (next, second) =
+            if a.negative { next.overflowing_sub(carry.into()) } else { next.overflowing_add(carry.into()) };
+        (*word, carry) = (next, first || second);
+        if own.is_none() && !carry {
+            break;
+        }
+    }
+}
+
+/// Writes `a / 2^dropped`, rounded to the nearest integer, upward from the middle, into a place of zeros in two's complement, and
+/// says whether it is that exactly.
+pub(super) fn put_nearest(place: &mut [u64], a: Integer<'_>, dropped: u64) -> bool {
+    let (skipped, shift) = (usize::try_from(dropped / WORD).unwrap_or(usize::MAX), dropped % WORD);
+    let kept = a.words.get(skipped..).unwrap_or_default();
+    for (i, word) in place.iter_mut().enumerate().take(kept.len()) {
+        let above = if shift == 0 { 0 } else { kept.get(i + 1).map_or(0, |next| next << (WORD - shift)) };
+        *word = kept[i] >> shift | above;
+    }
+    let bit = |bit: u64| {
+        let word = usize::try_from(bit / WORD).ok().and_then(|word| a.words.get(word));
+        word.is_some_and(|word| word >> (bit % WORD) & 1 == 1)
+    };
+    let lies_below = |bits: u64| {
+        let whole = usize::try_from(bits / WORD).unwrap_or(usize::MAX);
+        a.words.iter().take(whole).any(|&word| word != 0)
+            || a.words.get(whole).is_some_and(|word| word & ((1 << (bits % WORD)) - 1) != 0)
+    };
+    if dropped == 0 || !lies_below(dropped) {
+        if a.negative {
+            negate(place);
+        }
+        return true;
+    }
+    // From the middle a magnitude goes up for a positive number, down for a negative one.
+    if bit(dropped - 1) && (!a.negative || lies_below(dropped - 1)) {
+        add_product(place, Integer { words: &[1], negative: false }, Integer { words: &[1], negative: false });
+    }
+    if a.negative {
+        negate(place);
+    }
+    false
+}
+
+/// Multiplies a number in two's complement by `2^places`.
+pub(super) fn lift(words: &mut [u64], places: u64) {
+    let (skipped, shift) = (usize::try_from(places / WORD).unwrap_or(usize::MAX), places % WORD);
+    if places == 0 {
+        return;
+    }
+    for i in (0..words.len()).rev() {
+        let own = |back: usize| i.checked_sub(back).map_or(0, |from| words[from]);
+        let (word, below) = (own(skipped), own(skipped.saturating_add(1)));
+        words[i] = if shift == 0 { word } else { word << shift | below >> (WORD - shift) };
+    }
+}
+
+pub(super) fn negate(words: &mut [u64]) {
     let mut carry = true;
     for word in words {
         let (next, overflows) = (!*word).overflowing_add(u64::from(carry));
@@ -132,79 +142,55 @@ fn negate(words: &mut [u64]) {
     }
 }
 
-/// Whether both are short enough.
-fn are_short(a: &Matrix<BigInt>, b: &Matrix<BigInt>) -> bool {
-    length(a).min(length(b)) <= MOST_WORDS
-}
-
-/// `a b`
-pub(super) fn product(a: &Matrix<BigInt>, b: &Matrix<BigInt>) -> Matrix<BigInt> {
-    if !are_short(a, b) {
-        return a * b;
-    }
-    let product = Words::of(a).by_rows_of(&Words::of_transpose(b), false);
-    Matrix::from_fn(product.rows, product.columns, |i, j| product.unpacked(i, j))
-}
-
-/// `a m aᵀ` for a symmetric matrix m; `a aᵀ` without one.
-pub(super) fn congruence(a: &Matrix<BigInt>, middle: Option<&Matrix<BigInt>>) -> Matrix<BigInt> {
-    if !are_short(a, middle.unwrap_or(a)) {
-        let transpose = a.transpose();
-        return middle.map_or_else(|| a * &transpose, |middle| &(a * middle) * &transpose);
-    }
-    let rows = Words::of(a);
-    let product = match middle {
-        Some(middle) => rows.by_rows_of(&Words::of(middle), false).by_rows_of(&rows, true),
-        None => rows.by_rows_of(&rows, true),
-    };
-    Matrix::from_fn(product.rows, product.columns, |i, j| product.unpacked(i.max(j), i.min(j)))
-}
-
 #[cfg(test)]
 mod tests {
+    use num_bigint::{BigInt, Sign};
     use proptest::prelude::*;
 
     use super::*;
 
-    /// Of up to five words; zeros, powers of two and words of ones are frequent, for carries.
-    fn entry() -> impl Strategy<Value = BigInt> {
-        let word = prop_oneof![Just(0), Just(u64::MAX), Just(1 << 63), any::<u64>()];
-        (any::<bool>(), proptest::collection::vec(word, 0..5)).prop_map(|(negative, words)| {
-            let magnitude = words.iter().fold(BigInt::from(0), |sum, &word| (sum << 64) + word);
-            if negative { -magnitude } else { magnitude }
-        })
+    fn words() -> impl Strategy<Value = Vec<u64>> {
+        let word = prop_oneof![Just(0), Just(1), Just(u64::MAX), Just(1 << 63), any::<u64>()];
+        proptest::collection::vec(word, 0..4)
     }
 
-    fn matrix(rows: usize, columns: usize) -> impl Strategy<Value = Matrix<BigInt>> {
-        proptest::collection::vec(entry(), rows * columns)
-            .prop_map(move |entries| Matrix::from_fn(rows, columns, |i, j| entries[i * columns + j].clone()))
+    fn whole(integer: Integer<'_>) -> BigInt {
+        let magnitude = integer.words.iter().rev().fold(BigInt::from(0), |sum, &word| (sum << 64) + word);
+        if integer.negative { -magnitude } else { magnitude }
+    }
+
+    /// The value of a place in two's complement.
+    fn value(place: &[u64]) -> BigInt {
+        let bytes: Vec<u8> = place.iter().flat_map(|word| word.to_le_bytes()).collect();
+        BigInt::from_signed_bytes_le(&bytes)
     }
 
     proptest! {
-        /// Sums of products of single integers say what is right.
+        /// Shifted numbers are added as integers are.
         #[test]
-        fn products_are_sums_of_products((a, b, m) in (1..4_usize, 0..4_usize, 1..4_usize).prop_flat_map(|(r, k, c)| {
-            (matrix(r, k), matrix(k, c), matrix(k, k))
-        })) {
-            let sum = |i: usize, j: usize| (0..b.rows()).map(|k| &a[(i, k)] * &b[(k, j)]).sum::<BigInt>();
-            prop_assert_eq!(product(&a, &b), Matrix::from_fn(a.rows(), b.columns(), sum));
-            let middle = &m + &m.transpose();
-            let all = || (0..a.columns()).flat_map(|k| (0..a.columns()).map(move |l| (k, l)));
-            let term = |i: usize, j: usize| all().map(|(k, l)| &a[(i, k)] * &middle[(k, l)] * &a[(j, l)]).sum::<BigInt>();
-            prop_assert_eq!(congruence(&a, Some(&middle)), Matrix::from_fn(a.rows(), a.rows(), term));
-            let square = |i: usize, j: usize| (0..a.columns()).map(|k| &a[(i, k)] * &a[(j, k)]).sum::<BigInt>();
-            prop_assert_eq!(congruence(&a, None), Matrix::from_fn(a.rows(), a.rows(), square));
+        fn shifted_numbers_are_added(
+            (a, b) in (words(), words()), (minus, less) in any::<(bool, bool)>(), (p, q) in (0..140_u64, 0..140_u64),
+        ) {
+            let (a, b) = (Integer::new(&a, minus), Integer::new(&b, less));
+            let mut sum = vec![0; 10];
+            add_shifted(&mut sum, a, p);
+            add_shifted(&mut sum, b, q);
+            prop_assert_eq!(value(&sum), (whole(a) << p) + (whole(b) << q));
+            prop_assert_eq!(a.bits(), whole(a).bits());
+            lift(&mut sum, q);
+            prop_assert_eq!(value(&sum), ((whole(a) << p) + (whole(b) << q)) << q);
         }
-    }
 
-    /// Past the bound the other way gives the same.
-    #[test]
-    fn long_integers_too() {
-        let long = |shift: usize| (BigInt::from(3) << (64 * MOST_WORDS + shift)) - 1;
-        let a = Matrix::from_fn(2, 2, |i, j| long(i + 2 * j));
-        let sum = |i: usize, j: usize| &a[(i, 0)] * &a[(0, j)] + &a[(i, 1)] * &a[(1, j)];
-        assert_eq!(product(&a, &a), Matrix::from_fn(2, 2, sum));
-        let square = |i: usize, j: usize| &a[(i, 0)] * &a[(j, 0)] + &a[(i, 1)] * &a[(j, 1)];
-        assert_eq!(congruence(&a, None), Matrix::from_fn(2, 2, square));
+        /// The nearest integer is the floor of a half more, and exact where nothing was dropped.
+        #[test]
+        fn the_nearest_integer_is_put(a in words(), minus in any::<bool>(), dropped in 0..270_u64) {
+            let a = Integer::new(&a, minus && a.iter().any(|&word| word != 0));
+            let mut place = vec![0; length(a.bits() + 1)];
+            let is_exact = put_nearest(&mut place, a, dropped);
+            let twice = (whole(a) << 1) + (BigInt::from(1) << dropped);
+            prop_assert_eq!(value(&place), twice >> (dropped + 1));
+            prop_assert_eq!(is_exact, (whole(a) >> dropped) << dropped == whole(a));
+            prop_assert!(a.words.is_empty() || (whole(a).sign() == Sign::Minus) == a.negative);
+        }
     }
 }

@@ -1,0 +1,581 @@
+//! Matrices of integers over a power of two whose words stand beside each other.
+
+use num_bigint::{BigInt, BigUint, Sign};
+use num_traits::{One, ToPrimitive as _, Zero};
+
+use super::dyadics::Dyadics;
+use super::words::{Integer, add_product, add_shifted, length, lift, negate, put_nearest, used};
+use crate::matrix::Matrix;
+use crate::scalar::Dyadic;
+
+/// Beyond so many words, products of single integers are faster (Karatsuba and better).
+const MOST_WORDS: usize = 24;
+
+/// `mantissas · 2^exponent`, row by row, each mantissa as its magnitude of `length` words, the least first, and its sign;
+/// arithmetic is exact.
+#[derive(Clone, Debug)]
+pub(super) struct Packed {
+    rows: usize,
+    columns: usize,
+    length: usize,
+    magnitudes: Vec<u64>,
+    negative: Vec<bool>,
+    exponent: i64,
+}
+
+/// Which entries are computed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    All,
+    /// Those on and below the diagonal, of a matrix that is known to be symmetric.
+    Triangle,
+}
+
+impl From<&Dyadics> for Packed {
+    fn from(matrix: &Dyadics) -> Self {
+        Self::of(&matrix.mantissas, matrix.exponent)
+    }
+}
+
+impl Packed {
+    fn of(mantissas: &Matrix<BigInt>, exponent: i64) -> Self {
+        let words = |entry: &BigInt| entry.magnitude().iter_u64_digits().len();
+        let length = mantissas.entries().iter().map(words).max().unwrap_or(0);
+        let mut magnitudes = Vec::with_capacity(mantissas.entries().len() * length);
+        let mut negative = Vec::with_capacity(mantissas.entries().len());
+        for entry in mantissas.entries() {
+            magnitudes.extend(entry.magnitude().iter_u64_digits());
+            negative.push(entry.sign() == Sign::Minus);
+            magnitudes.resize(negative.len() * length, 0);
+        }
+        Self { rows: mantissas.rows(), columns: mantissas.columns(), length, magnitudes, negative, exponent }
+    }
+
+    /// The same with integers of their own.
+    pub(super) fn dyadics(&self) -> Dyadics {
+        Dyadics { mantissas: self.mantissas(), exponent: self.exponent }
+    }
+
+    fn mantissas(&self) -> Matrix<BigInt> {
+        Matrix::from_fn(self.rows, self.columns, |i, j| self.mantissa(i, j))
+    }
+
+    pub(super) fn identity(n: usize) -> Self {
+        let magnitudes = (0..n * n).map(|place| u64::from(place / n == place % n)).collect();
+        Self { rows: n, columns: n, length: 1, magnitudes, negative: vec![false; n * n], exponent: 0 }
+    }
+
+    /// A matrix whose entries are sums made in places of so many words, in two's complement.
+    fn built(
+        (rows, columns): (usize, usize),
+        length: usize,
+        exponent: i64,
+        part: Part,
+        mut sum: impl FnMut(&mut [u64], usize, usize),
+    ) -> Self {
+        let mut magnitudes = vec![0; rows * columns * length];
+        let mut negative = vec![false; rows * columns];
+        let mut longest = 0;
+        for i in 0..rows {
+            for j in 0..if part == Part::Triangle { i + 1 } else { columns } {
+                let place = i * columns + j;
+                let words = &mut magnitudes[place * length..(place + 1) * length];
+                sum(words, i, j);
+                if words.last().is_some_and(|last| last >> 63 == 1) {
+                    negate(words);
+                    negative[place] = true;
+                }
+                longest = longest.max(used(words));
+            }
+        }
+        let mut matrix = Self { rows, columns, length, magnitudes, negative, exponent };
+        matrix.shorten(longest);
+        if part == Part::Triangle {
+            matrix.mirror();
+        }
+        matrix
+    }
+
+    /// The same with so many words for each entry, which hold them.
+    fn shorten(&mut self, length: usize) {
+        if length == self.length {
+            return;
+        }
+        for place in 0..self.negative.len() {
+            let from = place * self.length;
+            self.magnitudes.copy_within(from..from + length, place * length);
+        }
+        self.magnitudes.truncate(self.negative.len() * length);
+        self.length = length;
+    }
+
+    /// Copies what is below the diagonal to above it.
+    fn mirror(&mut self) {
+        for i in 0..self.rows {
+            for j in 0..i {
+                let (from, to) = (i * self.columns + j, j * self.columns + i);
+                self.magnitudes.copy_within(from * self.length..(from + 1) * self.length, to * self.length);
+                self.negative[to] = self.negative[from];
+            }
+        }
+    }
+
+    pub(super) fn rows(&self) -> usize {
+        self.rows
+    }
+
+    #[cfg(test)]
+    pub(super) fn columns(&self) -> usize {
+        self.columns
+    }
+
+    pub(super) fn exponent(&self) -> i64 {
+        self.exponent
+    }
+
+    /// The mantissa of an entry.
+    pub(super) fn integer(&self, row: usize, column: usize) -> Integer<'_> {
+        let place = row * self.columns + column;
+        Integer::new(&self.magnitudes[place * self.length..(place + 1) * self.length], self.negative[place])
+    }
+
+    pub(super) fn mantissa(&self, row: usize, column: usize) -> BigInt {
+        whole(self.integer(row, column))
+    }
+
+    /// One entry.
+    pub(super) fn entry(&self, row: usize, column: usize) -> Dyadic {
+        Dyadic::new(self.mantissa(row, column), self.exponent)
+    }
+
+    /// The diagonal.
+    pub(super) fn diagonal(&self) -> Vec<Dyadic> {
+        (0..self.rows).map(|i| self.entry(i, i)).collect()
+    }
+
+    pub(super) fn is_zero(&self) -> bool {
+        self.length == 0 || self.magnitudes.iter().all(|&word| word == 0)
+    }
+
+    pub(super) fn transposed(&self) -> Self {
+        let mut transposed = self.clone();
+        (transposed.rows, transposed.columns) = (self.columns, self.rows);
+        for i in 0..self.rows {
+            for j in 0..self.columns {
+                let (from, to) = (i * self.columns + j, j * self.rows + i);
+                let words = &self.magnitudes[from * self.length..(from + 1) * self.length];
+                transposed.magnitudes[to * self.length..(to + 1) * self.length].copy_from_slice(words);
+                transposed.negative[to] = self.negative[from];
+            }
+        }
+        transposed
+    }
+
+    pub(super) fn times(&self, other: &Self) -> Self {
+        let exponent = self.exponent + other.exponent;
+        if self.length.min(other.length) > MOST_WORDS {
+            return Self::of(&(&self.mantissas() * &other.mantissas()), exponent);
+        }
+        // The last word takes the carries of all sums, and the sign.
+        let length = self.length + other.length + 1;
+        Self::built((self.rows, other.columns), length, exponent, Part::All, |sum, i, j| {
+            for k in 0..self.columns {
+                add_product(sum, self.integer(i, k), other.integer(k, j));
+            }
+        })
+    }
+
+    /// `self · otherᵀ`
+    pub(super) fn times_transposed(&self, other: &Self) -> Self {
+        self.by_rows_of(other, Part::All)
+    }
+
+    fn by_rows_of(&self, other: &Self, part: Part) -> Self {
+        let exponent = self.exponent + other.exponent;
+        if self.length.min(other.length) > MOST_WORDS {
+            return Self::of(&(&self.mantissas() * &other.mantissas().transpose()), exponent);
+        }
+        let length = self.length + other.length + 1;
+        Self::built((self.rows, other.rows), length, exponent, part, |sum, i, j| {
+            for k in 0..self.columns {
+                add_product(sum, self.integer(i, k), other.integer(j, k));
+            }
+        })
+    }
+
+    /// `self · middle · selfᵀ` for a symmetric one in the middle.
+    pub(super) fn congruence(&self, middle: &Self) -> Self {
+        self.by_rows_of(middle, Part::All).by_rows_of(self, Part::Triangle)
+    }
+
+    /// `self · selfᵀ`
+    pub(super) fn square(&self) -> Self {
+        self.by_rows_of(self, Part::Triangle)
+    }
+
+    /// The multiple by an integer.
+    pub(super) fn scaled(&self, factor: &BigInt) -> Self {
+        if factor.is_one() { self.clone() } else { self.multiplied(factor, 0) }
+    }
+
+    /// The multiple by a dyadic number.
+    pub(super) fn multiple(&self, factor: &Dyadic) -> Self {
+        let (mantissa, exponent) = factor.parts();
+        self.multiplied(mantissa, exponent)
+    }
+
+    fn multiplied(&self, mantissa: &BigInt, exponent: i64) -> Self {
+        let exponent = self.exponent + exponent;
+        if let Some(single) = mantissa.magnitude().to_u64() {
+            let factor = [single];
+            return self.multiplied_by_words(Integer::new(&factor, mantissa.sign() == Sign::Minus), exponent);
+        }
+        let words: Vec<u64> = mantissa.magnitude().iter_u64_digits().collect();
+        if words.len().min(self.length) > MOST_WORDS {
+            return Self::of(&self.mantissas().map(|entry| entry * mantissa), exponent);
+        }
+        self.multiplied_by_words(Integer::new(&words, mantissa.sign() == Sign::Minus), exponent)
+    }
+
+    fn multiplied_by_words(&self, factor: Integer<'_>, exponent: i64) -> Self {
+        let length = self.length + factor.words.len() + 1;
+        Self::built((self.rows, self.columns), length, exponent, Part::All, |sum, i, j| {
+            add_product(sum, self.integer(i, j), factor);
+        })
+    }
+
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        self.joined(other, false)
+    }
+
+    pub(super) fn minus(&self, other: &Self) -> Self {
+        self.joined(other, true)
+    }
+
+    /// The sum or the difference, with the exponent of the one whose last bits lie lower.
+    fn joined(&self, other: &Self, is_less: bool) -> Self {
+        assert_eq!((self.rows, self.columns), (other.rows, other.columns), "of one shape");
+        // Zeros have any exponent.
+        let exponent = match (self.is_zero(), other.is_zero()) {
+            (true, _) => other.exponent,
+            (_, true) => self.exponent,
+            _ => self.exponent.min(other.exponent),
+        };
+        let places = |matrix: &Self| (matrix.exponent - exponent).max(0).unsigned_abs();
+        let (own, others) = (places(self), places(other));
+        let bits = |matrix: &Self, places| if matrix.is_zero() { 0 } else { 64 * matrix.length as u64 + places };
+        let length = length(bits(self, own).max(bits(other, others)) + 1);
+        Self::built((self.rows, self.columns), length, exponent, Part::All, |sum, i, j| {
+            add_shifted(sum, self.integer(i, j), own);
+            let other = other.integer(i, j);
+            add_shifted(sum, if is_less { other.negated() } else { other }, others);
+        })
+    }
+
+    /// `self + a bᵀ − c dᵀ`, which is known to be symmetric, as are these.
+    pub(super) fn with_products(&self, (a, b): (&Self, &Self), (c, d): (&Self, &Self)) -> Self {
+        if a.length.max(b.length).max(c.length).max(d.length) > MOST_WORDS {
+            return self.minus(&c.times_transposed(d)).plus(&a.times_transposed(b));
+        }
+        let exponents = (a.exponent + b.exponent, c.exponent + d.exponent);
+        // What has the higher exponent is lifted to the other one.
+        let (above, below, first, next) = if exponents.0 < exponents.1 {
+            (exponents.1, exponents.0, (c, d, true), (a, b, false))
+        } else {
+            (exponents.0, exponents.1, (a, b, false), (c, d, true))
+        };
+        let exponent = below.min(self.exponent);
+        let places = |exponent: i64, to: i64| (exponent - to).unsigned_abs();
+        let bits = |matrix: &Self, places: u64| 64 * matrix.length as u64 + places;
+        let of_first = 64 * (first.0.length + first.1.length + 1) as u64 + places(above, exponent);
+        let of_next = 64 * (next.0.length + next.1.length + 1) as u64 + places(below, exponent);
+        let longest = of_first.max(of_next).max(bits(self, places(self.exponent, exponent)));
+        let add = |sum: &mut [u64], (left, right, is_less): (&Self, &Self, bool), i, j| {
+            for k in 0..left.columns {
+                let own = left.integer(i, k);
+                add_product(sum, if is_less { own.negated() } else { own }, right.integer(j, k));
+            }
+        };
+        Self::built((self.rows, self.columns), length(longest + 2), exponent, Part::Triangle, |sum, i, j| {
+            add(sum, first, i, j);
+            lift(sum, places(above, below));
+            add(sum, next, i, j);
+            lift(sum, places(below, exponent));
+            add_shifted(sum, self.integer(i, j), places(self.exponent, exponent));
+        })
+    }
+
+    /// The sum of the diagonal.
+    pub(super) fn trace(&self) -> Dyadic {
+        let mut sum = vec![0; self.length + 1];
+        (0..self.rows).for_each(|i| add_shifted(&mut sum, self.integer(i, i), 0));
+        self.of_sum(sum, self.exponent)
+    }
+
+    /// The sum of the squares of all entries.
+    pub(super) fn squared_norm(&self) -> Dyadic {
+        if self.length > MOST_WORDS {
+            return self.dyadics().squared_norm();
+        }
+        let mut sum = vec![0; 2 * self.length + 1];
+        for i in 0..self.rows {
+            (0..self.columns).for_each(|j| add_product(&mut sum, self.integer(i, j), self.integer(i, j)));
+        }
+        self.of_sum(sum, 2 * self.exponent)
+    }
+
+    /// The largest sum of the magnitudes of a row.
+    pub(super) fn largest_row_sum(&self) -> Dyadic {
+        let sum_of = |i: usize| {
+            let mut sum = vec![0; self.length + 1];
+            for j in 0..self.columns {
+                add_shifted(&mut sum, Integer { negative: false, ..self.integer(i, j) }, 0);
+            }
+            self.of_sum(sum, self.exponent)
+        };
+        (0..self.rows).map(sum_of).max().unwrap_or_else(Dyadic::zero)
+    }
+
+    fn of_sum(&self, mut sum: Vec<u64>, exponent: i64) -> Dyadic {
+        debug_assert!(self.rows < 1 << 32, "a word takes the carries");
+        let is_negative = sum.last().is_some_and(|last| last >> 63 == 1);
+        if is_negative {
+            negate(&mut sum);
+        }
+        Dyadic::new(whole(Integer::new(&sum, is_negative)), exponent)
+    }
+
+    /// Each entry over an odd integer, rounded to the nearest multiple of its own unit, which is not below the common one; where the
+    /// matrix is symmetric, and its units are, the triangle decides. `seen` is told which entry was exact.
+    pub(super) fn to_units(
+        &self,
+        odd: &BigInt,
+        (least, unit): (i64, impl Fn(usize, usize) -> i64),
+        is_symmetric: bool,
+        mut seen: impl FnMut(usize, usize, bool),
+    ) -> Self {
+        let part = if is_symmetric { Part::Triangle } else { Part::All };
+        let entries = || {
+            let columns = move |i| if is_symmetric { i + 1 } else { self.columns };
+            (0..self.rows).flat_map(move |i| (0..columns(i)).map(move |j| (i, j)))
+        };
+        if !odd.is_one() {
+            let mut mantissas = Matrix::<BigInt>::zeros(self.rows, self.columns);
+            for (i, j) in entries() {
+                let unit = unit(i, j);
+                let (whole, is_exact) = super::grid::nearest(&self.mantissa(i, j), self.exponent - unit, odd);
+                seen(i, j, is_exact);
+                mantissas[(i, j)] = whole << (unit - least);
+                if is_symmetric {
+                    mantissas[(j, i)] = mantissas[(i, j)].clone();
+                }
+            }
+            return Self::of(&mantissas, least);
+        }
+        let mut bits = 0;
+        for (i, j) in entries() {
+            let own = i64::try_from(self.integer(i, j).bits()).unwrap_or(i64::MAX);
+            let unit = unit(i, j);
+            // Rounded, then lifted.
+            let rounded = if own == 0 { 0 } else { (own + self.exponent - unit).max(0) + 1 + unit - least };
+            bits = bits.max(rounded.unsigned_abs());
+        }
+        let mut quotient = Vec::new();
+        Self::built((self.rows, self.columns), length(bits + 1), least, part, |sum, i, j| {
+            let (integer, unit) = (self.integer(i, j), unit(i, j));
+            if integer.words.is_empty() {
+                return seen(i, j, true);
+            }
+            let lift = (unit - least).unsigned_abs();
+            if self.exponent >= unit {
+                add_shifted(sum, integer, (self.exponent - least).unsigned_abs());
+                return seen(i, j, true);
+            }
+            let dropped = (unit - self.exponent).unsigned_abs();
+            if lift == 0 {
+                return seen(i, j, put_nearest(sum, integer, dropped));
+            }
+            quotient.clear();
+            quotient.resize(integer.words.len() + 1, 0);
+            seen(i, j, put_nearest(&mut quotient, integer, dropped));
+            let is_negative = quotient.last().is_some_and(|last| last >> 63 == 1);
+            if is_negative {
+                negate(&mut quotient);
+            }
+            add_shifted(sum, Integer::new(&quotient, is_negative), lift);
+        })
+    }
+
+    /// The matrix plus a diagonal of integers times its unit.
+    pub(super) fn plus_diagonal(&self, diagonal: &[BigInt]) -> Self {
+        let longest = diagonal.iter().map(|entry| entry.bits()).max().unwrap_or(0);
+        let length = length(longest.max(64 * self.length as u64) + 1);
+        let mut words = Vec::new();
+        Self::built((self.rows, self.columns), length, self.exponent, Part::All, |sum, i, j| {
+            add_shifted(sum, self.integer(i, j), 0);
+            if i == j && !diagonal[i].is_zero() {
+                words.clear();
+                words.extend(diagonal[i].magnitude().iter_u64_digits());
+                add_shifted(sum, Integer::new(&words, diagonal[i].sign() == Sign::Minus), 0);
+            }
+        })
+    }
+}
+
+fn whole(integer: Integer<'_>) -> BigInt {
+    let sign = if integer.negative { Sign::Minus } else { Sign::Plus };
+    let magnitude = match *integer.words {
+        [] => return BigInt::zero(),
+        [only] => BigUint::from(only),
+        [low, high] => BigUint::from(u128::from(high) << 64 | u128::from(low)),
+        ref words => {
+            #[expect(clippy::cast_possible_truncation, reason = "the two halves of a word")]
+            let halves = words.iter().flat_map(|&word| [word as u32, (word >> 32) as u32]).collect();
+            BigUint::new(halves)
+        }
+    };
+    BigInt::from_biguint(sign, magnitude)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// Of up to five words; zeros, powers of two and words of ones are frequent, for carries.
+    fn entry() -> impl Strategy<Value = BigInt> {
+        let word = prop_oneof![Just(0), Just(u64::MAX), Just(1 << 63), any::<u64>()];
+        (any::<bool>(), proptest::collection::vec(word, 0..5)).prop_map(|(negative, words)| {
+            let magnitude = words.iter().fold(BigInt::from(0), |sum, &word| (sum << 64) + word);
+            if negative { -magnitude } else { magnitude }
+        })
+    }
+
+    fn matrix(rows: usize, columns: usize) -> impl Strategy<Value = Matrix<BigInt>> {
+        proptest::collection::vec(entry(), rows * columns)
+            .prop_map(move |entries| Matrix::from_fn(rows, columns, |i, j| entries[i * columns + j].clone()))
+    }
+
+    fn packed(matrix: &Matrix<BigInt>) -> Packed {
+        Packed::of(matrix, 0)
+    }
+
+    /// The mantissas over 2^least.
+    fn over(matrix: &Packed, least: i64) -> Matrix<BigInt> {
+        let places = matrix.exponent - least;
+        matrix.mantissas().map(|entry| if entry.is_zero() { BigInt::zero() } else { entry << places })
+    }
+
+    proptest! {
+        /// Sums of products of single integers say what is right.
+        #[test]
+        fn products_are_sums_of_products((a, b, m) in (1..4_usize, 0..4_usize, 1..4_usize).prop_flat_map(|(r, k, c)| {
+            (matrix(r, k), matrix(k, c), matrix(k, k))
+        })) {
+            let sum = |i: usize, j: usize| (0..b.rows()).map(|k| &a[(i, k)] * &b[(k, j)]).sum::<BigInt>();
+            let product = Matrix::from_fn(a.rows(), b.columns(), sum);
+            prop_assert_eq!(packed(&a).times(&packed(&b)).mantissas(), product.clone());
+            prop_assert_eq!(packed(&a).times_transposed(&packed(&b).transposed()).mantissas(), product);
+            let middle = &m + &m.transpose();
+            let all = || (0..a.columns()).flat_map(|k| (0..a.columns()).map(move |l| (k, l)));
+            let term = |i: usize, j: usize| all().map(|(k, l)| &a[(i, k)] * &middle[(k, l)] * &a[(j, l)]).sum::<BigInt>();
+            let congruence = packed(&a).congruence(&packed(&middle));
+            prop_assert_eq!(congruence.mantissas(), Matrix::from_fn(a.rows(), a.rows(), term));
+            let square = |i: usize, j: usize| (0..a.columns()).map(|k| &a[(i, k)] * &a[(j, k)]).sum::<BigInt>();
+            prop_assert_eq!(packed(&a).square().mantissas(), Matrix::from_fn(a.rows(), a.rows(), square));
+        }
+
+        /// Sums, differences and multiples are those of the entries, whatever the exponents.
+        #[test]
+        fn sums_are_those_of_the_entries(
+            (a, b) in (0..4_usize, 1..4_usize).prop_flat_map(|(r, c)| (matrix(r, c), matrix(r, c))),
+            (p, q) in (-150..150_i64, -150..150_i64), factor in entry(),
+        ) {
+            let (x, y, least) = (Packed::of(&a, p), Packed::of(&b, q), p.min(q));
+            let lifted = |matrix: &Matrix<BigInt>, exponent: i64| matrix.map(|entry| entry << (exponent - least));
+            prop_assert_eq!(over(&x.plus(&y), least), lifted(&a, p) + lifted(&b, q));
+            prop_assert_eq!(over(&x.minus(&y), least), lifted(&a, p) - lifted(&b, q));
+            prop_assert_eq!(x.scaled(&factor).mantissas(), a.map(|entry| entry * &factor));
+            let multiple = x.multiple(&Dyadic::new(factor.clone(), q));
+            prop_assert_eq!(over(&multiple, p + q), a.map(|entry| entry * &factor));
+            prop_assert_eq!(x.squared_norm(), Dyadic::new(a.entries().iter().map(|entry| entry * entry).sum(), 2 * p));
+            let magnitudes = |i: usize| a.row(i).iter().map(|entry| BigInt::from(entry.magnitude().clone())).sum::<BigInt>();
+            let largest = (0..a.rows()).map(magnitudes).max().unwrap_or_default();
+            prop_assert_eq!(x.largest_row_sum(), Dyadic::new(largest, p));
+            prop_assert_eq!(x.dyadics().mantissas, a);
+        }
+
+        /// A symmetric sum with products.
+        #[test]
+        fn products_are_added(
+            (a, b, m) in (1..4_usize, 0..3_usize).prop_flat_map(|(n, k)| (matrix(n, k), matrix(n, k), matrix(n, n))),
+            (p, q, r, s) in (-150..150_i64, -90..90_i64, -90..90_i64, -90..90_i64),
+        ) {
+            let (prior, n) = (&m + &m.transpose(), a.rows());
+            // m + a bᵀ + b aᵀ, and m + a aᵀ − b bᵀ
+            let term = |x: &Matrix<BigInt>, y: &Matrix<BigInt>, i, j| (0..x.columns()).map(|k| &x[(i, k)] * &y[(j, k)]).sum::<BigInt>();
+            let least = p.min(q + r).min(2 * q).min(2 * r).min(q + s).min(r + s);
+            let lifted = |value: BigInt, exponent: i64| value << (exponent - least);
+            let x = Packed::of(&prior, p);
+            let both = x.with_products((&Packed::of(&a, q), &Packed::of(&b, r)), (&Packed::of(&b, r), &Packed::of(&-&a, q)));
+            let sum = |i, j| lifted(prior[(i, j)].clone(), p) + lifted(term(&a, &b, i, j) + term(&b, &a, i, j), q + r);
+            prop_assert_eq!(over(&both, least), Matrix::from_fn(n, n, sum));
+            let squares = x.with_products((&Packed::of(&a, q), &Packed::of(&a, q)), (&Packed::of(&b, r), &Packed::of(&b, r)));
+            let sum = |i, j| lifted(prior[(i, j)].clone(), p) + lifted(term(&a, &a, i, j), 2 * q) - lifted(term(&b, &b, i, j), 2 * r);
+            prop_assert_eq!(over(&squares, least), Matrix::from_fn(n, n, sum));
+        }
+
+        /// The diagonal, its sum, and what is added to it.
+        #[test]
+        fn diagonals_are_those_of_the_entries(
+            (a, more) in (1..4_usize).prop_flat_map(|n| (matrix(n, n), proptest::collection::vec(entry(), n))), p in -9..9_i64,
+        ) {
+            let x = Packed::of(&a, p);
+            let diagonal: Vec<BigInt> = (0..a.rows()).map(|i| a[(i, i)].clone()).collect();
+            prop_assert_eq!(x.trace(), Dyadic::new(diagonal.iter().sum(), p));
+            prop_assert_eq!(x.diagonal(), diagonal.into_iter().map(|entry| Dyadic::new(entry, p)).collect::<Vec<_>>());
+            prop_assert_eq!(x.plus_diagonal(&more).mantissas(), &a + Matrix::diagonal(&more));
+            prop_assert_eq!(Packed::identity(a.rows()).mantissas(), Matrix::<BigInt>::identity(a.rows()));
+        }
+
+        /// Entries are rounded as single integers are.
+        #[test]
+        fn entries_go_to_their_units(
+            (a, units) in (1..4_usize).prop_flat_map(|n| (matrix(n, n), proptest::collection::vec(-90..200_i64, n))),
+            p in -150..150_i64, odd in prop_oneof![Just(1), Just(3), Just(1025)], is_symmetric in any::<bool>(),
+        ) {
+            let odd = BigInt::from(odd);
+            let a = if is_symmetric { &a + &a.transpose() } else { a };
+            let least = 2 * units.iter().min().copied().unwrap_or(0);
+            let unit = |i: usize, j: usize| units[i] + units[j];
+            let mut exact = Matrix::from_fn(a.rows(), a.rows(), |_, _| None);
+            let rounded = Packed::of(&a, p).to_units(&odd, (least, unit), is_symmetric, |i, j, is_exact| {
+                exact[(i, j)] = Some(is_exact);
+            });
+            prop_assert_eq!(rounded.exponent, least);
+            for (i, j) in (0..a.rows()).flat_map(|i| (0..a.rows()).map(move |j| (i, j))) {
+                let (whole, is_exact) = super::super::grid::nearest(&a[(i, j)], p - unit(i, j), &odd);
+                prop_assert_eq!(rounded.mantissa(i, j), whole << (unit(i, j) - least));
+                let is_told = !is_symmetric || j <= i;
+                prop_assert_eq!(exact[(i, j)], is_told.then_some(is_exact));
+            }
+        }
+    }
+
+    /// Past the bound the other way gives the same.
+    #[test]
+    fn long_integers_too() {
+        let long = |shift: usize| (BigInt::from(3) << (64 * MOST_WORDS + shift)) - 1;
+        let a = Matrix::from_fn(2, 2, |i, j| long(i + 2 * j));
+        let sum = |i: usize, j: usize| &a[(i, 0)] * &a[(0, j)] + &a[(i, 1)] * &a[(1, j)];
+        let product = Matrix::from_fn(2, 2, sum);
+        assert_eq!(packed(&a).times(&packed(&a)).mantissas(), product);
+        assert_eq!(packed(&a).times_transposed(&packed(&a).transposed()).mantissas(), product);
+        let square = |i: usize, j: usize| &a[(i, 0)] * &a[(j, 0)] + &a[(i, 1)] * &a[(j, 1)];
+        assert_eq!(packed(&a).square().mantissas(), Matrix::from_fn(2, 2, square));
+        assert_eq!(packed(&a).scaled(&long(1)).mantissas(), a.map(|entry| entry * long(1)));
+        let norm = a.entries().iter().map(|entry| entry * entry).sum();
+        assert_eq!(packed(&a).squared_norm(), Dyadic::new(norm, 0));
+    }
+}
