@@ -184,10 +184,8 @@ impl<'a> CertifiedFilter<'a> {
         let (filtered, ahead) = if is_read {
             let innovation = Innovation::of(belief, law, &data, bits)?;
             let updated = |target, exact: &_| target::updated(belief, law, &data, (target, exact), &innovation, bits);
-            let targets = (
-                updated(&law.filtered, &exact),
-                law.ahead.as_ref().map(|target| updated(target, &prior(target))),
-            );
+            let targets =
+                (updated(&law.filtered, &exact), law.ahead.as_ref().map(|target| updated(target, &prior(target))));
             let value = innovation.value_intervals(belief, law, &data, bits);
             let covariance = innovation.covariance_intervals(belief, law, bits);
             let (value, covariance) = law.readings.all(value, covariance, bits + BOUND_BITS);

@@ -57,7 +57,8 @@ impl Packed {
             }
         };
         let rounded = self.to_units(odd, (2 * least - bits, |i, j| of(i) + of(j) - bits), true, count);
-        let pad = inexact.iter().enumerate().map(|(i, &count)| Dyadic::new(count.into(), 2 * of(i) - bits - 1)).collect();
+        let pad =
+            inexact.iter().enumerate().map(|(i, &count)| Dyadic::new(count.into(), 2 * of(i) - bits - 1)).collect();
         (rounded, pad)
     }
 

@@ -183,9 +183,10 @@ fn only_what_is_mapped_into_itself_passes() {
         let image = Image::of(&reading, &equation, &equation.ahead, bits);
         let residual = proof::residual(&point, &image, &equation, &proposal.units);
         // The image of a multiple of the identity in units, and a little more.
-        let units: Vec<Dyadic> = proposal.units.iter().map(|unit| Dyadic::new(BigInt::one(), 2 * unit)).collect();
+        let least = proposal.units.iter().copied().min().unwrap_or(0);
+        let units: Vec<BigInt> = proposal.units.iter().map(|unit| BigInt::one() << (2 * (unit - least))).collect();
         for power in 0..12 {
-            let gap = crate::certify::enclosed::diagonal(&units).multiple(&Dyadic::new(BigInt::one(), -2 * power));
+            let gap = Dyadics { mantissas: Matrix::diagonal(&units), exponent: 2 * (least - power) };
             let spread = reading.spread(&gap, &equation);
             let Some(inverse_kappa) = reading.inverse_kappa(&spread) else { continue };
             let (kept, missed) = image.parts(&gap, &equation, &inverse_kappa);
