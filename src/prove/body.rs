@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::entries::Entries;
 use crate::matrix::Matrix;
-use crate::scalar::Field;
+use crate::scalar::{Field, ZeroTest};
 
 /// The dimensions of an identity's matrices, with their letters: `n = 2, m = 1`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,6 +93,9 @@ pub(super) fn no_value(error: impl fmt::Debug) -> Failure {
 
 /// The first difference, if there is one.
 pub(super) fn compared<F: Field>(sides: &Sides<F>) -> Result<(), Failure> {
+    if sides.is_empty() {
+        return Err(Failure::NoValue("there is no equation".to_owned()));
+    }
     for (place, (left, right)) in sides.iter().enumerate() {
         let equation = place + 1;
         if left.shape() != right.shape() {
@@ -100,8 +103,10 @@ pub(super) fn compared<F: Field>(sides: &Sides<F>) -> Result<(), Failure> {
         }
         for row in 0..left.rows() {
             for column in 0..left.columns() {
-                if left[(row, column)] != right[(row, column)] {
-                    return Err(Failure::Differs { equation, row, column });
+                match left[(row, column)].minus(&right[(row, column)]).zero_test() {
+                    ZeroTest::Zero => {}
+                    ZeroTest::Nonzero => return Err(Failure::Differs { equation, row, column }),
+                    ZeroTest::Undecided => return Err(Failure::TooLarge),
                 }
             }
         }

@@ -12,7 +12,7 @@ use super::{Field, Rational, Scalar, Undefined, ZeroTest};
 
 /// An element of ℚ(x₀, x₁, …): what a computation yields when its inputs are left open.
 ///
-/// If two computations agree here, they agree wherever both are defined. The numerator is a polynomial with integer coefficients,
+/// If two computations agree here, they agree wherever both are defined and decide as they do here (whether an entry is zero). The numerator is a polynomial with integer coefficients,
 /// the denominator a product of polynomials that were divisors once. No greatest common divisor is taken: the numerator is divided
 /// by each factor as long as that leaves no rest, and a factor is split where another divides it. So a value may have several
 /// forms; zero has one, and equality is that of the difference with zero.
@@ -96,8 +96,9 @@ fn refined(list: &mut Vec<(Rc<Factor>, u32)>, factor: Rc<Factor>, power: u32) {
     list.push((factor, power));
 }
 
-/// How often each factor of `base` is in a list of factors that are products of them.
-fn powers_in(list: &[(Rc<Factor>, u32)], base: &[(Rc<Factor>, u32)]) -> Vec<u32> {
+/// How often each factor of `base` is in a list of factors, if they are products of them as far as division in this order shows: none
+/// of the base divides another, but they may have divisors in common.
+fn powers_in(list: &[(Rc<Factor>, u32)], base: &[(Rc<Factor>, u32)]) -> Option<Vec<u32>> {
     let mut powers = vec![0; base.len()];
     for (factor, power) in list {
         let mut rest = Rc::clone(factor);
@@ -109,8 +110,34 @@ fn powers_in(list: &[(Rc<Factor>, u32)], base: &[(Rc<Factor>, u32)]) -> Vec<u32>
                 rest = Factor::new(quotient);
             }
         }
+        // Primitive and positive: one, if it is constant.
+        rest.polynomial.as_constant()?;
     }
-    powers
+    Some(powers)
+}
+
+/// A base of both lists, with how often each of it is in either.
+fn common_base(own: &[(Rc<Factor>, u32)], others: &[(Rc<Factor>, u32)]) -> (Vec<Rc<Factor>>, Vec<u32>, Vec<u32>) {
+    let mut base = Vec::new();
+    for (factor, power) in own.iter().chain(others) {
+        refined(&mut base, Rc::clone(factor), *power);
+    }
+    if let (Some(in_own), Some(in_others)) = (powers_in(own, &base), powers_in(others, &base)) {
+        return (base.into_iter().map(|(factor, _)| factor).collect(), in_own, in_others);
+    }
+    // The factors as they are: each is one of the base.
+    let mut base: Vec<Rc<Factor>> = own.iter().map(|(factor, _)| Rc::clone(factor)).collect();
+    for (factor, _) in others {
+        if base.iter().all(|known| known.polynomial != factor.polynomial) {
+            base.push(Rc::clone(factor));
+        }
+    }
+    let power = |list: &[(Rc<Factor>, u32)], factor: &Factor| {
+        list.iter().find(|(known, _)| known.polynomial == factor.polynomial).map_or(0, |(_, power)| *power)
+    };
+    let powers = |list: &[(Rc<Factor>, u32)]| base.iter().map(|factor| power(list, factor)).collect();
+    let (in_own, in_others) = (powers(own), powers(others));
+    (base, in_own, in_others)
 }
 
 fn power(factor: &Polynomial, exponent: u32) -> Result<Polynomial, TooLarge> {
@@ -165,21 +192,19 @@ impl Fraction {
             let numerator = self.numerator.sum(&other.numerator, subtract)?;
             return Ok(Self { numerator, integer: self.integer.clone(), factors: Vec::new() }.without_content());
         }
-        let mut base: Vec<(Rc<Factor>, u32)> = Vec::new();
-        for (factor, power) in self.factors.iter().chain(&other.factors) {
-            refined(&mut base, Rc::clone(factor), *power);
-        }
-        let (own, others) = (powers_in(&self.factors, &base), powers_in(&other.factors, &base));
+        let (base, own, others) = common_base(&self.factors, &other.factors);
         let shared = common_divisor(&self.integer, &other.integer);
         let mut left = self.numerator.scaled(&(&other.integer / &shared));
         let mut right = other.numerator.scaled(&(&self.integer / &shared));
-        for (place, (factor, most)) in base.iter_mut().enumerate() {
-            *most = own[place].max(others[place]);
-            left = left.product(&power(&factor.polynomial, *most - own[place])?)?;
-            right = right.product(&power(&factor.polynomial, *most - others[place])?)?;
+        let mut factors = Vec::with_capacity(base.len());
+        for ((factor, own), others) in base.into_iter().zip(own).zip(others) {
+            let most = own.max(others);
+            left = left.product(&power(&factor.polynomial, most - own)?)?;
+            right = right.product(&power(&factor.polynomial, most - others)?)?;
+            factors.push((factor, most));
         }
         let numerator = left.sum(&right, subtract)?;
-        Ok(Self { numerator, integer: &self.integer / shared * &other.integer, factors: base }.reduced())
+        Ok(Self { numerator, integer: &self.integer / shared * &other.integer, factors }.reduced())
     }
 
     fn product(&self, other: &Self) -> Result<Self, TooLarge> {

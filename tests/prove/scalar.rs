@@ -88,6 +88,21 @@ proptest! {
     }
 }
 
+/// Divisors that share factors without dividing each other: ab, bc and ac are taken for a base of abc², which leaves one c when ab is
+/// divided out first. By hand, at a = b = d = e = 1, c = 2: 1/4 + 1/2.
+#[test]
+fn divisors_with_common_factors_are_added_right() {
+    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|number| x(number).plus(&RationalFunction::one()));
+    let over = |function: &RationalFunction, divisor: &RationalFunction| function.over(divisor).expect("not zero");
+    let one = RationalFunction::one();
+    let own = over(&over(&one, &d.times(&e)), &a.times(&b).times(&c).times(&c));
+    let other = over(&over(&over(&one, &b.times(&c)), &a.times(&b)), &d);
+    let point = [0, 0, 1, 0, 0].map(BigInt::from);
+    assert_eq!(own.plus(&other).value_at(&point), Some(ratio(3, 4)));
+    assert_eq!(other.plus(&own).value_at(&point), Some(ratio(3, 4)));
+    assert!(own.plus(&other).minus(&own).minus(&other).is_zero());
+}
+
 #[test]
 fn identities_by_hand() {
     let (a, b, c) = (x(0), x(1), x(2));

@@ -12,7 +12,7 @@ use crate::scalar::Field;
 pub(in crate::prove) struct Starred;
 
 impl Body for Starred {
-    const IDENTIFIERS: &'static [&'static str] = &["SM-2.3", "SM-2.4", "SM-4.1", "SM-4.6", "SM-4.7"];
+    const IDENTIFIERS: &'static [&'static str] = &["SM-4.1", "SM-4.6", "SM-4.7"];
     const NAME: &'static str = "the recursions of Q* and R* follow from those of Q, Ψ, R and M";
     const SLIP: &'static str = "the shared noise is left out of the gain of Q*";
     const LETTERS: &'static [&'static str] = &["n", "m", "steps"];
