@@ -29,8 +29,8 @@ pub fn backings(sources: &Sources) -> Result<Backings, String> {
                 (_, "") => format!("{backing} `{name}`"),
                 _ => format!("{backing} `{name}` ({extent})"),
             };
-            // A semicolon ends a part.
-            let words = words.replace("; ", ", ");
+            // A semicolon ends a part, and brackets would be links.
+            let words = words.replace("; ", ", ").replace('[', "(").replace(']', ")");
             found.entry(id.clone()).or_default().insert(Part(backing, words));
         }
     };
