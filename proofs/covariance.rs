@@ -48,7 +48,8 @@ harness! {
 }
 
 harness! {
-    /// AK-1.4a, AK-1.4b, AK-1.4c: P(k) is symmetric, positive semidefinite and at most S(k), and Δ(k) solves Δ(S + W) = S.
+    /// AK-1.4a, AK-1.4b, AK-1.4c: P(k) = (I − Δ(k))S(k) is symmetric, positive semidefinite and at most S(k), and Δ(k) solves
+    /// Δ(S + W) = S.
     ///
     /// Domain: all 2×2 matrices A over {−1, 0, 1}, all P, W ≥ 0 of size 2×2 over {−2, …, 2}, V = 0 or I.
     updates_are_symmetric_and_below_the_prior, unwind 94, Replays::All(81 * 19 * 19 * 2),
@@ -67,6 +68,7 @@ harness! {
         }
         let total = &step.predicted + &noise;
         assert!(&step.gain * &total == step.predicted);
+        assert!(step.filtered == (Matrix::identity(2) - &step.gain) * &step.predicted);
         assert!(is_semidefinite(&step.filtered) && is_semidefinite(&(&step.predicted - &step.filtered)));
         let minor = total[(0, 0)].times(&total[(1, 1)]).minus(&total[(0, 1)].times(&total[(1, 0)]));
         cover!(minor != Ratio::zero(), "regular");

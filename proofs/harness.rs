@@ -2,7 +2,7 @@
 //!
 //! A body asks for its inputs by [`below`] and says by `cover!` which situations it met. Replays go through every
 //! sequence of answers (an odometer) or through a number of seeded random ones; afterwards each situation that the
-//! harness declares must have been met, and no other one: a body that checks nothing fails.
+//! harness declares must have been met, and no other one: a body that never comes to what it is about fails.
 //!
 //! Inputs are generated in range. Nothing is rejected natively, so the count of replays is the count of checks.
 

@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 use exact_kalman::matrix::Matrix;
-use exact_kalman::scalar::{Field, OrderedField, Scalar, Undefined, ZeroTest};
+use exact_kalman::scalar::{Field, OrderedField, Scalar, Undefined, ZeroTest, laws};
 
-use crate::harness::below;
+use crate::harness::{Replays, below, cover, harness};
 
 /// The greatest common divisor, by Euclid.
 pub fn common_divisor(mut left: i128, mut right: i128) -> i128 {
@@ -99,6 +99,22 @@ impl Ord for Ratio {
 
 impl Field for Ratio {}
 impl OrderedField for Ratio {}
+
+harness! {
+    /// Fractions of fixed width are an ordered field.
+    ///
+    /// Domain: all triples of fractions with numerators from −2 to 2 and denominators from 1 to 3.
+    fractions_of_fixed_width_are_an_ordered_field, unwind 94, Replays::All(15 * 15 * 15),
+    covers ["in higher terms", "a divisor below zero", "division by zero"], {
+        let fraction = || (integer(2), 1 + i64::try_from(below(3)).unwrap_or(0));
+        let [x, y, z] = [(); 3].map(|()| fraction());
+        cover!(x == (2, 2), "in higher terms");
+        cover!(y.0 < 0, "a divisor below zero");
+        cover!(y.0 == 0, "division by zero");
+        let [a, b, c] = [x, y, z].map(|(numerator, denominator)| Ratio::new(numerator.into(), denominator));
+        assert!(laws::ordered_field(&a, &b, &c) == Ok(()));
+    }
+}
 
 /// An integer of fixed width: a quotient must be exact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

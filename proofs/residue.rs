@@ -1,6 +1,6 @@
 //! Residues against machine integers that are wide enough never to wrap.
 
-use exact_kalman::scalar::{Mersenne61, Residue, Scalar, Undefined};
+use exact_kalman::scalar::{Residue, Scalar, Undefined};
 
 use crate::harness::{Replays, below, cover, harness};
 
@@ -40,8 +40,6 @@ harness! {
         let (a, b) = (below(P), below(P));
         cover!(a + b >= P, "the sum wraps");
         cover!(a.checked_mul(b).is_none(), "the product passes 64 bits");
-        let product = Mersenne61::new(a).times(&Mersenne61::new(b));
-        assert!(u128::from(product.representative()) == u128::from(a) * u128::from(b) % u128::from(P));
         agrees::<P>(a, b);
     }
 }

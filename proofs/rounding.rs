@@ -210,19 +210,28 @@ harness! {
 }
 
 harness! {
-    /// Every pattern of bits: a finite double is read exactly, and is the nearest to what was read.
+    /// Every pattern of bits: a finite double is read exactly, and is the nearest to what was read, but for the sign of zero.
     doubles_are_read_exactly, unwind 132, Replays::Random(20_000),
-    covers ["subnormal", "not finite", "an integer", "below zero"], {
-        let exponent = below(1 << 11);
-        let value = f64::from_bits(below(1 << 52) | exponent << 52 | below(2) << 63);
+    covers ["subnormal", "not finite", "an integer", "below zero", "zero with a sign", "a power of two"], {
+        let exponent = match below(8) {
+            0 => 0,
+            1 => 2047,
+            _ => below(1 << 11),
+        };
+        let significand = if below(4) == 0 { 0 } else { below(1 << 52) };
+        let value = f64::from_bits(significand | exponent << 52 | below(2) << 63);
         let read: Option<Rational> = exact_value(value);
         assert!(read.is_some() == (exponent < 2047));
         cover!(exponent == 0, "subnormal");
         cover!(exponent == 2047, "not finite");
         cover!(read.as_ref().is_some_and(Rational::is_integer), "an integer");
         cover!(value < 0.0, "below zero");
+        cover!(value == 0.0 && value.is_sign_negative(), "zero with a sign");
+        cover!(significand == 0 && exponent > 0 && exponent < 2047, "a power of two");
         if let Some(read) = read {
-            assert!(nearest_double(&read).to_bits() == value.to_bits());
+            // A fraction has one zero.
+            let expected = if value == 0.0 { 0.0 } else { value };
+            assert!(nearest_double(&read).to_bits() == expected.to_bits());
         }
     }
 }

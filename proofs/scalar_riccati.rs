@@ -57,7 +57,8 @@ harness! {
     ///
     /// Domain: all nine forms, c in {1, 3}, the prior and the next prior in sixteenths from 1/16 to 1, r in sixteenths from 1/16 to 1.
     scalar_updates_are_monotone_and_bounded, unwind 12, Replays::All(9 * 2 * 16 * 16), covers ["nearly exact", "nearly blind"], {
-        let form = Form::ALL[usize::try_from(below(9)).unwrap_or(0)];
+        let forms = u64::try_from(Form::ALL.len()).unwrap_or(0);
+        let form = Form::ALL[usize::try_from(below(forms)).unwrap_or(0)];
         let c = [1, 3][usize::try_from(below(2)).unwrap_or(0)];
         let [p, r] = [(); 2].map(|()| 1 + i64::try_from(below(16)).unwrap_or(0));
         let updated = |p: i64| {

@@ -1,20 +1,23 @@
 //! Certificates from outside are verified or rejected, never a panic; and what is accepted is true.
 //!
 //! Bytes that begin with a brace are a certificate as it stands. Others are a tape: the number of a small model, of which the filter
-//! makes a certificate, and what is changed in it.
+//! makes a certificate, and what is changed in it; after an `s` the model is one that rests.
 
 #[path = "../../tests/verify/models.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod models;
+#[path = "../../tests/verify/steady_models.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
+mod steady_models;
 #[path = "../../tests/verify/truth.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod truth;
 
 use exact_kalman::protocol::{Case, SteadyModel};
 use exact_kalman::verify::{
-    BeliefDocument, DyadicMatrix, FilterCertificate, FilterCheck, SteadyDocument, StepDocument,
+    BeliefDocument, FilterCertificate, FilterCheck, SteadyDocument, SteadyEvidence, StepDocument, check_steady,
 };
-use num_bigint::BigInt;
+use steady_models::change_matrix;
 
 /// How far the bytes came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,14 +42,20 @@ pub fn run(bytes: &[u8]) -> Reached {
     if bytes.len() > MAXIMAL_BYTES {
         return Reached::Nothing;
     }
-    if bytes.first() == Some(&b'{') { from_outside(bytes) } else { changed(bytes) }
+    match bytes {
+        [b'{', ..] => from_outside(bytes),
+        [b's', tape @ ..] => changed_at_rest(tape),
+        tape => changed(tape),
+    }
 }
 
 fn from_outside(bytes: &[u8]) -> Reached {
     if let Some(document) = std::str::from_utf8(bytes).ok().and_then(|text| SteadyDocument::parse(text).ok()) {
         assert_eq!(SteadyDocument::parse(&document.to_line()).as_ref(), Ok(&document));
-        let _ = SteadyModel::parse(&document.model.to_string());
-        return Reached::Rejected;
+        let Ok(model) = SteadyModel::parse(&document.model.to_string()) else { return Reached::Nothing };
+        let (step, timing) = model.step();
+        let verdict = check_steady(&step, timing, &document.evidence);
+        return if verdict.is_ok() { Reached::Accepted } else { Reached::Rejected };
     }
     let Ok(certificate) = FilterCertificate::open(bytes) else { return Reached::Nothing };
     let path = Case::parse(certificate.case()).and_then(|case| case.problem()?.realised());
@@ -83,6 +92,22 @@ fn changed(bytes: &[u8]) -> Reached {
     if check.end().is_ok() { Reached::Accepted } else { Reached::Rejected }
 }
 
+fn changed_at_rest(bytes: &[u8]) -> Reached {
+    let mut tape = Tape(bytes.iter());
+    let model = steady_models::steady((tape.next() + 256 * tape.next()) as u64);
+    let (Some(rough), Some(known)) = (model.solved(3), model.solved(30)) else { return Reached::Nothing };
+    let mut claim = rough.evidence;
+    for _ in 0..tape.next() % 8 {
+        steady_models::change(&mut || tape.next(), &mut claim, model.sensors());
+    }
+    if check_steady(&model.step, model.timing, &SteadyEvidence::Stabilising(claim.clone())).is_err() {
+        return Reached::Rejected;
+    }
+    let is_followed = claim.kept.as_ref().is_none_or(|kept| model.follows(kept));
+    assert!(is_followed && model.agrees(&known, &claim), "accepted and false: {claim:?}");
+    Reached::Accepted
+}
+
 fn change(tape: &mut Tape<'_>, start: &mut BeliefDocument, steps: &mut Vec<StepDocument>) {
     let (what, at) = (tape.next(), tape.next());
     if steps.is_empty() {
@@ -108,7 +133,7 @@ fn change(tape: &mut Tape<'_>, start: &mut BeliefDocument, steps: &mut Vec<StepD
         6 => steps[at].predicted = Some(steps[at].filtered.clone()),
         7 => {
             if let Some(whitening) = &mut steps[at].whitening {
-                change_matrix(tape, whitening);
+                change_matrix(&mut || tape.next(), whitening);
             }
         }
         _ => {
@@ -127,33 +152,12 @@ fn change_belief(tape: &mut Tape<'_>, what: usize, belief: &mut BeliefDocument) 
         1 => belief.balance = None,
         2 => {
             if let Some(gain) = &mut belief.gain {
-                change_matrix(tape, gain);
+                change_matrix(&mut || tape.next(), gain);
             }
         }
-        3 => change_matrix(tape, &mut belief.covariance),
-        4 | 5 => change_matrix(tape, &mut belief.gap),
-        6 => change_matrix(tape, &mut belief.mean),
-        _ => change_matrix(tape, &mut belief.ellipsoid),
-    }
-}
-
-fn change_matrix(tape: &mut Tape<'_>, matrix: &mut DyadicMatrix) {
-    let (how, i, j, by) = (tape.next(), tape.next(), tape.next(), tape.next());
-    if how % 8 == 0 {
-        matrix.exponent += i64::try_from(by % 9).unwrap_or(0) - 4;
-        return;
-    }
-    let rows = matrix.rows.len().max(1);
-    let Some(row) = matrix.rows.get_mut(i % rows) else { return };
-    let columns = row.len().max(1);
-    let Some(entry) = row.get_mut(j % columns) else { return };
-    match how % 8 {
-        1 => entry.0 += by,
-        2 => entry.0 -= by,
-        3 => entry.0 = -&entry.0,
-        4 => entry.0 = (&entry.0 * by) >> 5,
-        5 => entry.0 = BigInt::from(by),
-        6 => entry.0 ^= BigInt::from(1) << by,
-        _ => drop(row.pop()),
+        3 => change_matrix(&mut || tape.next(), &mut belief.covariance),
+        4 | 5 => change_matrix(&mut || tape.next(), &mut belief.gap),
+        6 => change_matrix(&mut || tape.next(), &mut belief.mean),
+        _ => change_matrix(&mut || tape.next(), &mut belief.ellipsoid),
     }
 }

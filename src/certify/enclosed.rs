@@ -143,7 +143,7 @@ pub(super) fn diagonal(entries: &[Dyadic]) -> Packed {
         mantissa << (exponent - least).max(0)
     };
     let mantissas = Matrix::diagonal(&entries.iter().map(mantissa).collect::<Vec<_>>());
-    Packed::from(&Dyadics { mantissas, exponent: least })
+    Packed::from(&Dyadics { mantissas, exponent: least }).symmetric()
 }
 
 /// A vector over an odd integer rounded to `bits` bits of the larger of its entries and of the scales; and how far each entry

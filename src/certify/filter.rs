@@ -7,7 +7,7 @@ use super::grid::BOUND_BITS;
 use super::groups::Groups;
 use super::innovation::Innovation;
 use super::law::Law;
-use super::{Undecided, target};
+use super::{NotEnclosed, Undecided, target};
 use crate::filter::StepValues;
 use crate::matrix::Matrix;
 use crate::model::{Before, Path, PathAhead, Step, Timing};
@@ -66,7 +66,7 @@ impl CertifiedStep {
 
 /// The filter along a path, one step at a time, with a fixed number of bits.
 ///
-/// It ends with the path, or where the covariance of an innovation may be singular.
+/// It ends with the path, or where a step is [not enclosed](NotEnclosed).
 ///
 /// # Examples
 ///
@@ -157,7 +157,11 @@ impl<'a> CertifiedFilter<'a> {
         Self { ahead: Some(Ahead::new(path)), ..self }
     }
 
-    fn advance(&mut self, step: &'a Step<Rational>, belief: &Enclosed) -> Result<(CertifiedStep, Enclosed), Undecided> {
+    fn advance(
+        &mut self,
+        step: &'a Step<Rational>,
+        belief: &Enclosed,
+    ) -> Result<(CertifiedStep, Enclosed), NotEnclosed> {
         let timing = self.path.timing();
         let arrives = timing == Timing::Arriving
             && step.transition.is_some()
@@ -167,7 +171,7 @@ impl<'a> CertifiedFilter<'a> {
             _ => Law::of(step, timing, arrives),
         };
         let law = &self.law.insert((step, arrives, law)).2;
-        let (data, bits) = (law.data(step, arrives)?, self.bits);
+        let (data, bits) = (law.data(step, arrives), self.bits);
         let mut values = Values::new();
         let mut insert = |mean, covariance, belief: &Enclosed| {
             values.insert(mean, belief.mean_intervals(bits));
@@ -180,9 +184,12 @@ impl<'a> CertifiedFilter<'a> {
         let predicted = law.predicted.as_ref().map(|arriving| moved(arriving, &exact));
         insert(Quantity::PredictedMean, Quantity::PredictedCovariance, predicted.as_ref().unwrap_or(belief));
         let is_read = law.observation.rows() > 0;
+        let innovation = is_read.then(|| Innovation::of(belief, law, &data, bits)).transpose()?;
+        if let Some(proof) = law.readings.contradiction(step) {
+            return Err(NotEnclosed::Contradiction(proof));
+        }
         let mut derived = Derived::default();
-        let (filtered, ahead) = if is_read {
-            let innovation = Innovation::of(belief, law, &data, bits)?;
+        let (filtered, ahead) = if let Some(innovation) = innovation {
             let updated = |target, exact: &_| target::updated(belief, law, &data, (target, exact), &innovation, bits);
             let targets =
                 (updated(&law.filtered, &exact), law.ahead.as_ref().map(|target| updated(target, &prior(target))));
@@ -229,7 +236,7 @@ impl<'a> CertifiedFilter<'a> {
 }
 
 impl Iterator for CertifiedFilter<'_> {
-    type Item = Result<CertifiedStep, Undecided>;
+    type Item = Result<CertifiedStep, NotEnclosed>;
 
     fn next(&mut self) -> Option<Self::Item> {
         let path = self.path;
@@ -238,7 +245,7 @@ impl Iterator for CertifiedFilter<'_> {
             // A diffuse start; afterwards the end.
             let is_first = self.done == 0;
             self.done = path.steps().len();
-            return is_first.then_some(Err(Undecided));
+            return is_first.then_some(Err(Undecided.into()));
         };
         match self.advance(step, &belief) {
             Ok((results, next)) => {
@@ -246,9 +253,9 @@ impl Iterator for CertifiedFilter<'_> {
                 self.done += 1;
                 Some(Ok(results))
             }
-            Err(undecided) => {
+            Err(reason) => {
                 self.done = path.steps().len();
-                Some(Err(undecided))
+                Some(Err(reason))
             }
         }
     }

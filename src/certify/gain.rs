@@ -8,10 +8,11 @@
 
 use super::enclosed::{Enclosed, root};
 use super::grid::BOUND_BITS;
-use super::innovation::{Innovation, about, above, over, product, sum};
+use super::innovation::{Innovation, about};
 use super::law::{Law, Target};
 use super::packed::Packed;
 use super::target::{Map, gain, prior};
+use super::upper::BOUND;
 use crate::matrix::Matrix;
 use crate::scalar::{Interval, ratio};
 
@@ -41,7 +42,7 @@ impl Weights {
 fn enclosed_cross(belief: &Enclosed, law: &Law, a: &Map<'_>, gamma: &Packed, bits: u64) -> Matrix<Interval> {
     let (rows, columns) = (a.congruence(&belief.gap), law.observation.congruence(&belief.gap));
     Matrix::from_fn(gamma.rows(), columns.rows(), |i, j| {
-        let square = over(&product(&rows.entry(i, i), &columns.entry(j, j)), &law.odd, 4);
+        let square = BOUND.over(&BOUND.product(&rows.entry(i, i), &columns.entry(j, j)), &law.odd, 4);
         about(&gamma.entry(i, j), &law.noise_odd, &root(&square), bits)
     })
 }
@@ -59,16 +60,16 @@ fn enclosed_gain(
     let defect = proposed.times(&innovation.covariance).minus(gamma);
     let missed = defect.times_transposed(&innovation.whitening).square();
     let kept = a.less(&proposed.times(&law.observation)).congruence(&belief.gap);
-    let two = product(&above(&ratio(2, 1)), &innovation.inverse_kappa);
+    let two = BOUND.product(&BOUND.of(&ratio(2, 1)), &innovation.inverse_kappa);
     // (2/κ) (ρTᵀTρᵀ + w GWGᵀ), its diagonal.
     let row = |i: usize| {
-        let missed = over(&missed.entry(i, i), &law.noise_odd, 2);
-        let kept = product(&innovation.spread, &over(&kept.entry(i, i), &law.odd, 2));
-        product(&two, &sum(&missed, &kept))
+        let missed = BOUND.over(&missed.entry(i, i), &law.noise_odd, 2);
+        let kept = BOUND.product(&innovation.spread, &BOUND.over(&kept.entry(i, i), &law.odd, 2));
+        BOUND.product(&two, &BOUND.sum(&missed, &kept))
     };
     let columns = innovation.whitening.transposed().square();
-    let column = |j: usize| product(&columns.entry(j, j), &innovation.inverse_kappa);
+    let column = |j: usize| BOUND.product(&columns.entry(j, j), &innovation.inverse_kappa);
     Matrix::from_fn(proposed.rows(), columns.rows(), |i, j| {
-        about(&proposed.entry(i, j), &num_traits::One::one(), &root(&product(&row(i), &column(j))), bits)
+        about(&proposed.entry(i, j), &num_traits::One::one(), &root(&BOUND.product(&row(i), &column(j))), bits)
     })
 }

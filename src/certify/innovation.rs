@@ -8,9 +8,10 @@ use super::enclosed::{Enclosed, column};
 use super::grid::BOUND_BITS;
 use super::law::{Data, Law};
 use super::packed::Packed;
+use super::upper::BOUND;
 use super::whitening::whitening;
 use crate::matrix::Matrix;
-use crate::scalar::{Dyadic, Interval, Rational, Toward, ratio};
+use crate::scalar::{Dyadic, Interval, Toward, ratio};
 
 /// Σ̃ = H P̃ Hᵀ + R and a T with T Σ̃ Tᵀ ≈ I.
 ///
@@ -37,27 +38,6 @@ pub(super) struct Innovation {
 /// `2⁻¹⁰`: (a + b)² ≤ (1 + 2⁻¹⁰) a² + (1 + 2¹⁰) b².
 const SLIGHT: u32 = 10;
 
-pub(super) fn above(value: &Rational) -> Dyadic {
-    Dyadic::rounded(value, BOUND_BITS, Toward::Above)
-}
-
-pub(super) fn product(a: &Dyadic, b: &Dyadic) -> Dyadic {
-    a.times(b, BOUND_BITS, Toward::Above)
-}
-
-pub(super) fn sum(a: &Dyadic, b: &Dyadic) -> Dyadic {
-    a.plus(b, BOUND_BITS, Toward::Above)
-}
-
-/// `a / d^power` for a positive integer d.
-pub(super) fn over(a: &Dyadic, divisor: &BigInt, power: u32) -> Dyadic {
-    if divisor.is_one() {
-        return a.clone();
-    }
-    let divisor = Dyadic::new(divisor.pow(power), 0);
-    a.over(&divisor, BOUND_BITS, Toward::Above).unwrap_or_else(Dyadic::zero)
-}
-
 impl Innovation {
     /// The innovation of a belief under a law.
     ///
@@ -69,23 +49,24 @@ impl Innovation {
         let seen_covariance = belief.covariance.times_transposed(h);
         let covariance = h.times(&seen_covariance).scaled(&law.lift).plus(&law.noise);
         let t = Packed::from(&whitening(&covariance.dyadics(), &law.noise_odd, bits).ok_or(Undecided)?);
-        let eta = over(&excess(&t.congruence(&covariance), &law.noise_odd).largest_row_sum(), &law.noise_odd, 1);
+        let eta = BOUND.over(&excess(&t.congruence(&covariance), &law.noise_odd).largest_row_sum(), &law.noise_odd, 1);
         let through = t.times(h);
-        let spread = over(&through.congruence(&belief.gap).trace(), &law.odd, 2).shortened(BOUND_BITS, Toward::Above);
-        let kappa = Dyadic::one().plus(&sum(&eta, &spread).negated(), BOUND_BITS, Toward::Below);
-        if kappa < above(&ratio(1, 4)) {
+        let spread =
+            BOUND.over(&through.congruence(&belief.gap).trace(), &law.odd, 2).shortened(BOUND_BITS, Toward::Above);
+        let kappa = Dyadic::one().plus(&BOUND.sum(&eta, &spread).negated(), BOUND_BITS, Toward::Below);
+        if kappa < BOUND.of(&ratio(1, 4)) {
             return Err(Undecided);
         }
         let inverse_kappa = Dyadic::one().over(&kappa, BOUND_BITS, Toward::Above).ok_or(Undecided)?;
         let value = data.seen.minus(&h.times(&belief.mean).scaled(&data.lift));
-        let known = over(&t.times(&value).squared_norm(), &data.odd, 2);
-        let unknown = over(&through.congruence(&belief.ellipsoid).trace(), &law.odd, 2);
+        let known = BOUND.over(&t.times(&value).squared_norm(), &data.odd, 2);
+        let unknown = BOUND.over(&through.congruence(&belief.ellipsoid).trace(), &law.odd, 2);
         let slight = ratio(1, 1 << SLIGHT);
-        let square = sum(
-            &product(&known, &above(&(ratio(1, 1) + &slight))),
-            &product(&unknown, &above(&(ratio(1, 1) + slight.recip()))),
+        let square = BOUND.sum(
+            &BOUND.product(&known, &BOUND.of(&(ratio(1, 1) + &slight))),
+            &BOUND.product(&unknown, &BOUND.of(&(ratio(1, 1) + slight.recip()))),
         );
-        let square = product(&square, &inverse_kappa);
+        let square = BOUND.product(&square, &inverse_kappa);
         Ok(Self { seen_covariance, covariance, whitening: t, inverse_kappa, spread, value, square })
     }
 
@@ -107,7 +88,7 @@ impl Innovation {
         let unknown = if law.odd.is_one() {
             unknown
         } else {
-            let entries: Vec<Dyadic> = unknown.diagonal().iter().map(|entry| over(entry, &law.odd, 2)).collect();
+            let entries: Vec<Dyadic> = unknown.diagonal().iter().map(|entry| BOUND.over(entry, &law.odd, 2)).collect();
             super::enclosed::diagonal(&entries)
         };
         column(&self.value, &data.odd, &unknown, bits)

@@ -4,7 +4,6 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use num_traits::One;
 
-use super::Undecided;
 use super::dyadics::{Dyadics, odd_denominator};
 use super::packed::Packed;
 use super::readings::Readings;
@@ -161,13 +160,13 @@ impl Law {
         let noise_odd = noises.fold(square.clone(), |odd, noise| odd_denominator(odd, noise.entries()));
         let target = |exact: &Exact| Target {
             map: exact.map.as_ref().map(|map| packed(map, &odd)),
-            noise: packed(&exact.noise, &noise_odd),
+            noise: packed(&exact.noise, &noise_odd).symmetric(),
             cross: packed(&exact.cross, &noise_odd),
             input: exact.input,
         };
         Self {
             observation: packed(observation, &odd),
-            noise: packed(noise, &noise_odd),
+            noise: packed(noise, &noise_odd).symmetric(),
             predicted: predicted.map(target),
             filtered: target(filtered),
             ahead: ahead.map(target),
@@ -179,23 +178,19 @@ impl Law {
     }
 
     /// The reading and the inputs of a step with this law.
-    ///
-    /// # Errors
-    ///
-    /// [`Undecided`] if the entries of the reading contradict each other: whose business it is to say so is another's.
-    pub(super) fn data(&self, step: &Step<Rational>, arrives: bool) -> Result<Data, Undecided> {
-        let mut seen = self.readings.seen(step)?;
+    pub(super) fn data(&self, step: &Step<Rational>, arrives: bool) -> Data {
+        let mut seen = self.readings.seen(step);
         let input = step.transition.as_ref().map(|transition| &transition.input);
         if let Some(input) = input.filter(|input| arrives && !input.is_zero()) {
             seen = seen - step.observation.select_rows(&self.readings.kept) * input;
         }
         let entries = seen.entries().iter().chain(input.into_iter().flat_map(Matrix::entries));
         let odd = odd_denominator(self.odd.clone(), entries);
-        Ok(Data {
+        Data {
             seen: packed(&seen, &odd),
             input: input.map(|input| packed(input, &odd)),
             lift: odd.div_floor(&self.odd),
             odd,
-        })
+        }
     }
 }

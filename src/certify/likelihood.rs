@@ -12,9 +12,10 @@ use num_traits::One;
 
 use super::enclosed::{Enclosed, root};
 use super::grid::BOUND_BITS;
-use super::innovation::{Innovation, about, above, over, product, sum};
+use super::innovation::{Innovation, about};
 use super::law::{Data, Law};
 use super::packed::Packed;
+use super::upper::BOUND;
 use crate::scalar::{Dyadic, Interval, Logarithms, Rational, Toward, ratio};
 
 /// The parts of the log likelihood of a reading, `−½ (quadratic + ln pseudo_determinant + rank · ln 2π)`, each in its interval.
@@ -72,7 +73,7 @@ impl Likelihoods {
         let quadratic = quadratic(belief, law, data, innovation, self.bits);
         let determinant = determinant(law, innovation, self.bits)?;
         // w/κ
-        let radius = product(&innovation.spread, &innovation.inverse_kappa);
+        let radius = BOUND.product(&innovation.spread, &innovation.inverse_kappa);
         let ends = [determinant.lower(), determinant.upper()].map(|end| self.logarithm(end));
         let [Some(lower), Some(upper)] = ends else { return None };
         let mut log = widened(&lower.joined(&upper), &radius, self.bits);
@@ -173,16 +174,17 @@ fn quadratic(belief: &Enclosed, law: &Law, data: &Data, innovation: &Innovation,
     let middle = row.times(value).scaled(&two).minus(&row.congruence(&innovation.covariance)).entry(0, 0);
     let divisor = &law.noise_odd * &data.odd * &data.odd;
     let rest = value.scaled(&law.noise_odd).minus(&innovation.covariance.times(&z));
-    let rest = over(&over(&t.times(&rest).squared_norm(), &law.noise_odd, 2), &data.odd, 2);
+    let rest = BOUND.over(&BOUND.over(&t.times(&rest).squared_norm(), &law.noise_odd, 2), &data.odd, 2);
     let through = row.times(h);
-    let along = |matrix: &Packed| over(&over(&through.congruence(matrix).entry(0, 0), &law.odd, 2), &data.odd, 2);
+    let along =
+        |matrix: &Packed| BOUND.over(&BOUND.over(&through.congruence(matrix).entry(0, 0), &law.odd, 2), &data.odd, 2);
     let (of_gap, of_mean) = (along(&belief.gap), along(&belief.ellipsoid));
-    let unknown = over(&t.times(h).congruence(&belief.ellipsoid).trace(), &law.odd, 2);
+    let unknown = BOUND.over(&t.times(h).congruence(&belief.ellipsoid).trace(), &law.odd, 2);
     let root_of = |square: &Dyadic| if square.is_zero() { Dyadic::zero() } else { root(square) };
-    let below = sum(&product(&above(&ratio(2, 1)), &root_of(&of_mean)), &of_gap);
-    let parts = [&rest, &unknown, &product(&innovation.spread, &of_gap)];
-    let norm = parts.into_iter().fold(Dyadic::zero(), |norm, part| sum(&norm, &root_of(part)));
-    let beyond = product(&product(&norm, &norm), &innovation.inverse_kappa);
+    let below = BOUND.sum(&BOUND.product(&BOUND.of(&ratio(2, 1)), &root_of(&of_mean)), &of_gap);
+    let parts = [&rest, &unknown, &BOUND.product(&innovation.spread, &of_gap)];
+    let norm = parts.into_iter().fold(Dyadic::zero(), |norm, part| BOUND.sum(&norm, &root_of(part)));
+    let beyond = BOUND.product(&BOUND.product(&norm, &norm), &innovation.inverse_kappa);
     let around = about(&middle, &divisor, &below, bits);
     let lower = around.lower().clone().max(Dyadic::zero());
     let upper = around.upper().plus(&beyond, bits + BOUND_BITS, Toward::Above);

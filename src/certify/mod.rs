@@ -30,6 +30,7 @@ mod standing;
 mod steady;
 mod target;
 mod tiers;
+mod upper;
 mod whitening;
 mod words;
 
@@ -41,11 +42,25 @@ pub use filter::{CertifiedFilter, CertifiedStep};
 pub use growth::Growth;
 pub use likelihood::EnclosedLikelihood;
 #[cfg(feature = "judge")]
-pub use raised::{RaisedFilter, Short};
+pub use raised::{Halt, RaisedFilter};
 pub use steady::{SteadyEffort, SteadyState, Unproved};
 pub use tiers::{TieredFilter, TieredStep, Tiers};
+
+use crate::gaussian::Inconsistent;
+use crate::scalar::Rational;
 
 /// The covariance of an innovation is singular, or too near to it for the bits that were given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the covariance of the innovation may be singular: not decided with so many bits")]
 pub struct Undecided;
+
+/// Why a step has no enclosure.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NotEnclosed {
+    /// More bits may help, or exact numbers.
+    #[error(transparent)]
+    Undecided(#[from] Undecided),
+    /// Sensors that repeat others say something else: that has probability zero, whatever the state is.
+    #[error("the data have probability zero: {0}")]
+    Contradiction(Inconsistent<Rational>),
+}

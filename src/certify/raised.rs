@@ -4,23 +4,26 @@ use std::iter::Skip;
 
 use super::digits::bits_for;
 use super::standing::Standing;
-use super::{CertifiedFilter, CertifiedStep};
+use super::{CertifiedFilter, CertifiedStep, NotEnclosed};
+use crate::gaussian::Inconsistent;
 use crate::model::{Path, PathAhead};
 use crate::scalar::Rational;
 
-/// Enclosures decided too little with all the bits that they may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Short {
-    /// Whether a covariance is regular.
+/// Why enclosures go no further.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Halt {
+    /// Sensors that repeat others say something else.
+    #[error("{}", NotEnclosed::Contradiction(.0.clone()))]
+    Contradiction(Inconsistent<Rational>),
+    /// With all the bits that they may have they do not decide whether a covariance is regular.
     #[error(
-        "the start is diffuse, the covariance of the innovation singular or too near to it, or repeated sensors contradict each other: enclosures of \
-         {bits} bits do not decide"
+        "the start is diffuse, or the covariance of the innovation singular or too near to it: enclosures of {bits} bits do not decide"
     )]
     Rank {
         /// The bits that they had.
         bits: u64,
     },
-    /// The digits of some number.
+    /// Nor the digits of some number.
     #[error("enclosures of {bits} bits do not prove the digits that are wanted")]
     Digits {
         /// The bits that they had.
@@ -32,7 +35,7 @@ pub enum Short {
 /// to many more and may be zero or a tie all the same.
 ///
 /// When bits are raised the run begins anew, and passes over the steps that were handed out; nothing else is kept. It ends with
-/// the path, or where the most bits decide too little.
+/// the path, where the most bits decide too little, or where sensors contradict each other.
 #[derive(Debug)]
 pub struct RaisedFilter<'a> {
     path: &'a Path<Rational>,
@@ -90,22 +93,26 @@ impl<'a> RaisedFilter<'a> {
 }
 
 impl Iterator for RaisedFilter<'_> {
-    type Item = Result<CertifiedStep, Short>;
+    type Item = Result<CertifiedStep, Halt>;
 
     fn next(&mut self) -> Option<Self::Item> {
         while !self.ended && self.done < self.path.steps().len() {
-            let short = match self.steps.next() {
+            let halt = match self.steps.next() {
                 Some(Ok(step)) if step.standing(self.digits) != Standing::Short => {
                     self.done += 1;
                     return Some(Ok(step));
                 }
-                Some(Ok(_)) => Short::Digits { bits: self.bits },
+                Some(Ok(_)) => Halt::Digits { bits: self.bits },
+                Some(Err(NotEnclosed::Contradiction(proof))) => {
+                    self.ended = true;
+                    return Some(Err(Halt::Contradiction(proof)));
+                }
                 // At this step, or at one that was passed over.
-                _ => Short::Rank { bits: self.bits },
+                _ => Halt::Rank { bits: self.bits },
             };
             if self.bits >= self.most_bits {
                 self.ended = true;
-                return Some(Err(short));
+                return Some(Err(halt));
             }
             self.bits = self.bits.saturating_mul(2).min(self.most_bits);
             self.begin();

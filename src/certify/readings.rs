@@ -4,7 +4,7 @@
 //! state: a sensor repeats others, noise included. Such entries are left out; what remains may have a regular S, which an
 //! enclosure can decide, and the others are linear in it.
 
-use super::Undecided;
+use crate::gaussian::Inconsistent;
 use crate::matrix::{Echelon, Matrix};
 use crate::model::Step;
 use crate::scalar::{Interval, Rational, Scalar as _};
@@ -43,20 +43,28 @@ impl Readings {
     }
 
     /// y − c for the entries that are used.
-    ///
-    /// # Errors
-    ///
-    /// [`Undecided`] if the others do not follow from them.
-    pub(super) fn seen(&self, step: &Step<Rational>) -> Result<Matrix<Rational>, Undecided> {
-        let observed = step.reading.present();
-        let mut all = step.reading.values();
-        if !step.observation_input.is_zero() {
-            all = all - step.observation_input.select_rows(&observed);
-        }
-        let Some(combination) = &self.combination else { return Ok(all) };
+    pub(super) fn seen(&self, step: &Step<Rational>) -> Matrix<Rational> {
+        let (all, observed) = (all_seen(step), step.reading.present());
         let place = |sensor: &usize| observed.iter().position(|other| other == sensor);
-        let kept = all.select_rows(&self.kept.iter().filter_map(place).collect::<Vec<_>>());
-        if combination * &kept == all { Ok(kept) } else { Err(Undecided) }
+        all.select_rows(&self.kept.iter().filter_map(place).collect::<Vec<_>>())
+    }
+
+    /// A proof that what is left out does not follow from the entries that are used, if it does not.
+    ///
+    /// With z = y − c, `(I − LL⁺) z` is orthogonal to the image of L, so to S = L·L′ and to every Cx̂: its variance is zero, and its
+    /// product with z is its own square. Where the covariance of the entries that are used is regular, it is the direction that
+    /// the exact filter shows.
+    pub(super) fn contradiction(&self, step: &Step<Rational>) -> Option<Inconsistent<Rational>> {
+        let combination = self.combination.as_ref()?;
+        let all = all_seen(step);
+        if combination * self.seen(step) == all {
+            return None;
+        }
+        let adjoint = combination.transpose();
+        let inverse = (&adjoint * combination).inverse().ok()?;
+        let direction = &all - combination * (inverse * (adjoint * &all));
+        let value = (direction.transpose() * &all)[(0, 0)].clone();
+        Some(Inconsistent { direction, value }.simplified())
     }
 
     /// All entries of an innovation and of its covariance, from those of the entries that are used.
@@ -92,6 +100,15 @@ impl Readings {
         let combination = self.combination.as_ref()?;
         (combination.transpose() * combination).determinant().ok()
     }
+}
+
+/// y − c for all that is observed.
+fn all_seen(step: &Step<Rational>) -> Matrix<Rational> {
+    let all = step.reading.values();
+    if step.observation_input.is_zero() {
+        return all;
+    }
+    all - step.observation_input.select_rows(&step.reading.present())
 }
 
 /// Fractions times enclosed numbers.

@@ -16,9 +16,10 @@ use num_traits::One;
 
 use super::enclosed::{Enclosed, Proof, ellipsoid_of, rounded_mean};
 use super::grid::{BOUND_BITS, scale};
-use super::innovation::{Innovation, above, over, product, sum};
+use super::innovation::Innovation;
 use super::law::{Data, Input, Law, Target};
 use super::packed::Packed;
+use super::upper::BOUND;
 use crate::scalar::{Dyadic, Toward, ratio};
 
 /// Bits of W and E.
@@ -76,22 +77,23 @@ pub(super) fn updated(
     let closed = a.less(&gain.times(&law.observation));
     let kept = closed.congruence(&belief.gap);
     let missed = defect.times_transposed(&innovation.whitening).square();
-    let two = above(&ratio(2, 1));
-    let second = product(&two, &innovation.inverse_kappa);
-    let first = sum(&Dyadic::one(), &product(&second, &innovation.spread));
-    let gap = kept.multiple(&over(&first, &law.odd, 2)).plus(&missed.multiple(&over(&second, &law.noise_odd, 2)));
+    let two = BOUND.of(&ratio(2, 1));
+    let second = BOUND.product(&two, &innovation.inverse_kappa);
+    let first = BOUND.sum(&Dyadic::one(), &BOUND.product(&second, &innovation.spread));
+    let gap =
+        kept.multiple(&BOUND.over(&first, &law.odd, 2)).plus(&missed.multiple(&BOUND.over(&second, &law.noise_odd, 2)));
     let scales = Enclosed::scales(&over_each(joseph.diagonal(), &law.noise_odd), &gap.diagonal());
     let (covariance, pad) = joseph.rounded(&law.noise_odd, &scales, bits);
     // The mean, over o.
     let moved = a.times(&belief.mean).scaled(&data.lift).plus(&gain.times(&innovation.value));
     let moved = with_input(moved, target, data);
     let (mean, errors) = rounded_mean(&moved, &data.odd, &scales, bits);
-    let three = product(&above(&ratio(3, 1)), &product(&innovation.square, &innovation.inverse_kappa));
+    let three = BOUND.product(&BOUND.of(&ratio(3, 1)), &BOUND.product(&innovation.square, &innovation.inverse_kappa));
     let local = kept
-        .multiple(&over(&product(&three, &innovation.spread), &law.odd, 2))
-        .plus(&missed.multiple(&over(&three, &law.noise_odd, 2)))
-        .plus(&ellipsoid_of(&errors).multiple(&above(&ratio(3, 1))));
-    let carried = closed.congruence(&belief.ellipsoid).multiple(&over(&Dyadic::one(), &law.odd, 2));
+        .multiple(&BOUND.over(&BOUND.product(&three, &innovation.spread), &law.odd, 2))
+        .plus(&missed.multiple(&BOUND.over(&three, &law.noise_odd, 2)))
+        .plus(&ellipsoid_of(&errors).multiple(&BOUND.of(&ratio(3, 1))));
+    let carried = closed.congruence(&belief.ellipsoid).multiple(&BOUND.over(&Dyadic::one(), &law.odd, 2));
     let (ellipsoid, balance) = joined(&carried, &local, &scales);
     let proof = Proof { gain: Some(gain), balance };
     Enclosed { covariance, gap: gap.up(&pad, GAP_BITS), mean, ellipsoid, proof }
@@ -106,7 +108,7 @@ pub(super) fn moved(
     bits: u64,
 ) -> Enclosed {
     let a = Map { matrix: target.map.as_ref(), odd: &law.odd };
-    let square = over(&Dyadic::one(), &law.odd, 2);
+    let square = BOUND.over(&Dyadic::one(), &law.odd, 2);
     let gap = a.congruence(&belief.gap).multiple(&square);
     let scales = Enclosed::scales(&over_each(exact.diagonal(), &law.noise_odd), &gap.diagonal());
     let (covariance, pad) = exact.rounded(&law.noise_odd, &scales, bits);
@@ -140,7 +142,7 @@ pub(super) fn gain(gamma: &Packed, prior: &Packed, innovation: &Innovation, odd:
 }
 
 fn over_each(entries: Vec<Dyadic>, odd: &BigInt) -> Vec<Dyadic> {
-    if odd.is_one() { entries } else { entries.iter().map(|entry| over(entry, odd, 1)).collect() }
+    if odd.is_one() { entries } else { entries.iter().map(|entry| BOUND.over(entry, odd, 1)).collect() }
 }
 
 /// `(a + b)(a + b)ᵀ ≤ (1 + α) E₁ + (1 + 1/α) E₂`, with an α near the best in the units of the coordinates; and k of
@@ -155,13 +157,13 @@ fn joined(carried: &Packed, local: &Packed, scales: &[Option<i64>]) -> (Packed, 
             entry.times(&Dyadic::new(BigInt::one(), -2 * scales[i].unwrap_or(0)), BOUND_BITS, Toward::Above)
         };
         let total = matrix.diagonal().into_iter().enumerate().map(entry);
-        total.fold(Dyadic::zero(), |total, entry| sum(&total, &entry)).magnitude().unwrap_or(0)
+        total.fold(Dyadic::zero(), |total, entry| BOUND.sum(&total, &entry)).magnitude().unwrap_or(0)
     };
     // α = 2^−k
     let k = ((size(carried) - size(local)) / 2).clamp(-64, 64);
     let alpha = Dyadic::new(BigInt::one(), -k);
     let inverse = Dyadic::new(BigInt::one(), k);
-    let factor = |more: &Dyadic| sum(&Dyadic::one(), more);
+    let factor = |more: &Dyadic| BOUND.sum(&Dyadic::one(), more);
     let total = carried.multiple(&factor(&alpha)).plus(&local.multiple(&factor(&inverse)));
     (total.up(&nothing, GAP_BITS), Some(k))
 }

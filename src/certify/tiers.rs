@@ -4,8 +4,9 @@ use std::iter::Skip;
 
 use super::filter::CertifiedStep;
 use super::standing::Standing;
-use super::{CertifiedFilter, Undecided};
+use super::{CertifiedFilter, NotEnclosed};
 use crate::filter::{Effort, RationalFilter, RationalStep, StepValues, StopReason};
+use crate::gaussian::{ConditionError, Inconsistent};
 use crate::matrix::{Fractions, Matrix};
 use crate::model::{Path, Timing};
 use crate::scalar::{Precision, Rational};
@@ -172,11 +173,17 @@ enum Found {
     Tied,
     /// Numbers as far from one as this power of two.
     TooFar(u64),
+    /// Sensors that repeat others say something else.
+    Contradiction(Inconsistent<Rational>),
 }
 
 impl TieredFilter<'_> {
-    fn found(&self, next: Option<Result<CertifiedStep, Undecided>>) -> Found {
-        let Some(Ok(step)) = next else { return Found::Short };
+    fn found(&self, next: Option<Result<CertifiedStep, NotEnclosed>>) -> Found {
+        let step = match next {
+            Some(Ok(step)) => step,
+            Some(Err(NotEnclosed::Contradiction(proof))) => return Found::Contradiction(proof),
+            Some(Err(NotEnclosed::Undecided(_))) | None => return Found::Short,
+        };
         if step.accuracy().is_some_and(|bits| bits < self.tiers.accuracy) {
             return Found::Short;
         }
@@ -203,6 +210,9 @@ impl TieredFilter<'_> {
                 }
                 Found::TooFar(bits) if self.digits.is_none() => {
                     return Some(Err(StopReason::TooLong { bits, limit: FARTHEST }));
+                }
+                Found::Contradiction(proof) => {
+                    return Some(Err(StopReason::Condition(ConditionError::Inconsistent(proof))));
                 }
                 Found::Short if self.bits < self.tiers.most_bits => {
                     self.bits = (2 * self.bits).min(self.tiers.most_bits);

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use super::exit::{Exit, Trouble};
 use super::interrupt;
 use super::numbers::Numbers;
-use crate::certify::CertifiedFilter;
+use crate::certify::{CertifiedFilter, NotEnclosed};
 use crate::model;
 use crate::protocol::Case;
 use crate::scalar::Rational;
@@ -30,6 +30,7 @@ const MOST_BITS: u64 = 1 << 12;
 enum Refusal {
     Interrupted,
     Undecided(String),
+    Contradiction(String),
 }
 
 /// Writes the certificate of the only case.
@@ -49,6 +50,10 @@ pub(super) fn write(file: &Path, cases: &[Case], numbers: Numbers) -> Result<Exi
         Err(Refusal::Undecided(why)) => {
             eprintln!("{}: no certificate is written: {why}", case.id);
             return Ok(Exit::Undecided);
+        }
+        Err(Refusal::Contradiction(why)) => {
+            eprintln!("{}: no certificate is written: {why}", case.id);
+            return Ok(Exit::Findings);
         }
     };
     if file == Path::new("-") {
@@ -78,32 +83,34 @@ fn enough(path: &model::Path<Rational>, digits: u32) -> Result<u64, Refusal> {
     let mut bits = wanted + 32;
     loop {
         match first_in_doubt(path, bits, wanted) {
-            None if interrupt::requested() => return Err(Refusal::Interrupted),
             None => return Ok(bits),
-            Some(_) if bits < most => bits = (2 * bits).min(most),
-            Some(why) => return Err(Refusal::Undecided(why)),
+            Some(Refusal::Undecided(_)) if bits < most => bits = (2 * bits).min(most),
+            Some(refusal) => return Err(refusal),
         }
     }
 }
 
-/// The first step that is not decided, or not to so many bits.
-fn first_in_doubt(path: &model::Path<Rational>, bits: u64, wanted: u64) -> Option<String> {
+/// Why not all steps are decided, to so many bits.
+fn first_in_doubt(path: &model::Path<Rational>, bits: u64, wanted: u64) -> Option<Refusal> {
     for (k, step) in CertifiedFilter::new(path, bits).enumerate() {
         if interrupt::requested() {
-            return None;
+            return Some(Refusal::Interrupted);
         }
         match step {
             Ok(step) => {
                 if let Some(known) = step.accuracy().filter(|&known| known < wanted) {
-                    return Some(format!(
+                    return Some(Refusal::Undecided(format!(
                         "step {k} is known to {known} bits of {wanted} with {bits} bits; ask for fewer --digits"
-                    ));
+                    )));
                 }
             }
-            Err(undecided) => {
-                return Some(format!(
-                    "at step {k} {undecided} ({bits}), or its readings contradict each other. Exact numbers decide: leave --certificate out"
-                ));
+            Err(NotEnclosed::Undecided(undecided)) => {
+                return Some(Refusal::Undecided(format!(
+                    "at step {k} {undecided} ({bits}). Exact numbers decide: leave --certificate out"
+                )));
+            }
+            Err(contradiction @ NotEnclosed::Contradiction(_)) => {
+                return Some(Refusal::Contradiction(format!("at step {k} {contradiction}")));
             }
         }
     }

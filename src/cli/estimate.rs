@@ -157,7 +157,7 @@ fn unfit(error: &StatisticsError<Rational>) -> String {
                 witness.join(", ")
             )
         }
-        other @ StatisticsError::Arriving => other.to_string(),
+        StatisticsError::Arriving | StatisticsError::Undecided { .. } => error.to_string(),
     }
 }
 

@@ -19,7 +19,7 @@ Examples:
   exact-kalman prove AK-B.W --seed 7 --format json
 
 docs/PROVE.md says what a proof here proves, and what a check at random points does not.
-Exit codes: 0 all hold and all twins are disproved, 1 one does not, or a twin survives";
+Exit codes: 0 all hold and all twins are disproved, 1 one does not, or a twin survives, 2 trouble";
 
 /// Prove identities of SPEC.md by running the library's own code on variables
 #[derive(clap::Args, Debug)]
@@ -61,7 +61,7 @@ struct Line<'a> {
     variables: Option<usize>,
     terms: Option<usize>,
     points: Option<u32>,
-    questions: Option<u64>,
+    questions: Option<usize>,
     degree_bound: Option<String>,
     error_bound: Option<f64>,
     slip: Option<&'a str>,
@@ -171,7 +171,7 @@ impl Prove {
                     line.points = Some(chance.points);
                     line.questions = Some(chance.questions);
                     line.degree_bound = Some(chance.degree.to_string());
-                    line.error_bound = Some(chance.bound());
+                    line.error_bound = chance.decimal().parse().ok();
                 })
             }
             Task::Twin => {
@@ -194,6 +194,7 @@ fn sizes(sizes: &[Size]) -> String {
 
 fn list(out: &mut impl Write, identity: &Identity) -> std::io::Result<()> {
     writeln!(out, "{} · {}", identity.identifiers.join(", "), identity.name)?;
+    writeln!(out, "  where                 {}", identity.hypothesis)?;
     writeln!(out, "  proved for            {}", sizes(&[&identity.symbolic[..], &identity.heavy].concat()))?;
     writeln!(out, "  at random points for  {}", sizes(&identity.random))?;
     writeln!(out, "  the twin's slip       {}", identity.slip)
@@ -204,6 +205,7 @@ fn listed(identity: &Identity) -> serde_json::Value {
     serde_json::json!({
         "identifiers": identity.identifiers,
         "name": identity.name,
+        "where": identity.hypothesis,
         "proved": all(&[&identity.symbolic[..], &identity.heavy].concat()),
         "random_points": all(&identity.random),
         "slip": identity.slip,
@@ -211,6 +213,8 @@ fn listed(identity: &Identity) -> serde_json::Value {
 }
 
 fn text(out: &mut impl Write, lines: &[Line<'_>], seconds: f64) -> Result<(), Trouble> {
+    let longest = lines.iter().filter_map(|line| line.size.as_ref()).map(|size| size.chars().count()).max();
+    let wide = longest.unwrap_or(0).max("twin".len());
     let mut last = "";
     for line in lines {
         if line.name != last {
@@ -223,14 +227,15 @@ fn text(out: &mut impl Write, lines: &[Line<'_>], seconds: f64) -> Result<(), Tr
             Line { terms: Some(terms), variables: Some(variables), .. } => {
                 ("proved".to_owned(), format!("{variables} variables, {terms} terms"))
             }
-            Line { points: Some(points), error_bound: Some(bound), .. } => {
-                (format!("holds at {points} random points"), format!("wrong with probability ≤ {bound:.0e}"))
-            }
+            Line { points: Some(points), error_bound: Some(bound), .. } => (
+                format!("holds at {points} random points"),
+                format!("if wrong, it would pass with probability ≤ {bound:e}"),
+            ),
             _ => ("disproved".to_owned(), format!("at {}", line.witness.as_deref().unwrap_or("a point"))),
         };
-        writeln!(out, "  {size:32} {verdict:26} {:6.2} s  {detail}", line.seconds)?;
+        writeln!(out, "  {size:wide$} {verdict:26} {:6.2} s  {detail}", line.seconds)?;
         if let Some(slip) = line.slip {
-            writeln!(out, "  {:32} its slip: {slip}", "")?;
+            writeln!(out, "  {:wide$} its slip: {slip}", "")?;
         }
     }
     let count = |method: &str| lines.iter().filter(|line| line.method == method && line.holds).count();

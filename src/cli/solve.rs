@@ -297,8 +297,8 @@ impl Ended {
                 Outcome::Error,
                 Exit::Undecided,
             ),
-            Stop::Undecided(short) => ended(
-                short.to_string(),
+            Stop::Undecided(halt) => ended(
+                halt.to_string(),
                 "; give --tier auto, which goes on with exact numbers, or a higher --most-bits",
                 Outcome::Error,
                 Exit::Undecided,

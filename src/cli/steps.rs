@@ -5,7 +5,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use super::interrupt;
-use crate::certify::{CertifiedStep, RaisedFilter, Short, TieredFilter, TieredStep};
+use crate::certify::{CertifiedStep, Halt, RaisedFilter, TieredFilter, TieredStep};
 use crate::filter::{
     Effort, FRACTIONS_PART, Predictions, RationalFilter, RationalStep, Records, StepAhead, StopReason,
 };
@@ -73,7 +73,7 @@ pub(super) enum Stop {
     /// The filter cannot go on.
     Reason(StopReason),
     /// Enclosures do not decide.
-    Undecided(Short),
+    Undecided(Halt),
     /// Ctrl-C.
     Interrupted,
 }
@@ -177,7 +177,10 @@ fn certified(along: &Along, wanted: Wanted, tell: impl Fn(Step, u64) -> bool) ->
     while let Some(step) = filter.next() {
         let step = match step {
             Ok(step) => Step::Enclosed(Box::new(step)),
-            Err(short) => return Some(Stop::Undecided(short)),
+            Err(Halt::Contradiction(proof)) => {
+                return Some(Stop::Reason(StopReason::Condition(ConditionError::Inconsistent(proof))));
+            }
+            Err(halt) => return Some(Stop::Undecided(halt)),
         };
         if !tell(step, filter.bits()) {
             return None;

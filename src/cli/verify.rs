@@ -11,6 +11,7 @@ use super::Format;
 use super::exit::{Exit, Trouble};
 use super::proved_interval::{shown, shown_matrix};
 use super::{input, verify_steady};
+use crate::model::Observation;
 use crate::protocol::{Case, SteadyModel};
 use crate::verify::{
     Belief, Condition, FilterCertificate, FilterFormat, MAXIMAL_LINE_BYTES, ProvedStep, Rejection, VerifyError,
@@ -45,6 +46,9 @@ pub(super) struct Verify {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
+
+/// The most numbers in the matrices of all steps of a case: two gibibytes of them, or some more. A short text may ask for many.
+const MOST_NUMBERS: usize = 1 << 25;
 
 /// The member that tells the certificate of a filter; the others are left alone.
 #[derive(Deserialize)]
@@ -144,7 +148,16 @@ impl Verify {
         let certificate = FilterCertificate::open(reader).map_err(failed)?;
         let inside = |error: crate::protocol::CaseError| rejected(Condition::Case, format!("the case inside: {error}"));
         let case = Case::parse(certificate.case()).map_err(inside)?;
-        let path = case.problem().and_then(|problem| problem.realised()).map_err(inside)?;
+        let problem = case.problem().map_err(inside)?;
+        let (steps, n) = (problem.observations.len(), problem.system.initial.mean.rows());
+        let m = problem.observations.first().map_or(0, Observation::dimension);
+        if steps.saturating_mul((n + m).saturating_pow(2).saturating_add(n.saturating_mul(n))) > MOST_NUMBERS {
+            let message = format!(
+                "the case inside has {steps} steps of {n} states and {m} sensors: more than the {MOST_NUMBERS} numbers that are held"
+            );
+            return Err(rejected(Condition::Size, message));
+        }
+        let path = problem.realised().map_err(inside)?;
         if let Some(file) = &self.case {
             let cases = input::cases(file)?;
             let given = cases.iter().find(|given| given.id == case.id).or(if let [only] = &cases[..] {

@@ -6,10 +6,8 @@ use serde_json::json;
 use super::numbers::Numbers;
 use super::proved_interval::{shown_matrix, text};
 use super::verify::{Failed, Verified, digits, rejected};
-use crate::matrix::Matrix;
-use crate::model::{Observation, Step, Timing, Transition};
-use crate::protocol::{SteadyEquation, SteadyModel};
-use crate::scalar::{Rational, ratio};
+use crate::protocol::SteadyModel;
+use crate::scalar::Rational;
 use crate::verify::{Condition, ProvedSteady, SteadyDocument, check_steady};
 
 /// Checks the document against the model inside, which must be the one that is given.
@@ -20,7 +18,7 @@ pub(super) fn verified(document: &str, given: Option<&SteadyModel>, most: u32) -
     if given.is_some_and(|given| given.equation != model.equation) {
         return Err(rejected(Condition::Case, "the model inside is not the one that is given"));
     }
-    let (step, timing) = repeated(&model.equation);
+    let (step, timing) = model.step();
     let proved = check_steady(&step, timing, &document.evidence).map_err(Failed::Rejected)?;
     let (mut lines, mut members) = (Vec::new(), vec![("kind", json!("steady"))]);
     let mut verdict = |verdict: &str, words: String| {
@@ -64,30 +62,6 @@ pub(super) fn verified(document: &str, given: Option<&SteadyModel>, most: u32) -
         }
     }
     Ok(Verified { name: model.id, lines, members })
-}
-
-/// The step that is repeated for ever.
-fn repeated(equation: &SteadyEquation) -> (Step<Rational>, Timing) {
-    let step = |[a, c, q, s, r]: [&Matrix<Rational>; 5]| Step {
-        transition: Some(Transition {
-            matrix: a.clone(),
-            input: Matrix::zeros(a.rows(), 1),
-            noise: q.clone(),
-            cross_noise: s.clone(),
-        }),
-        observation: c.clone(),
-        observation_input: Matrix::zeros(c.rows(), 1),
-        observation_noise: r.clone(),
-        reading: Observation::complete(vec![ratio(0, 1); c.rows()]),
-    };
-    match equation {
-        SteadyEquation::Filter { timing, transition, observation, process_noise, cross_noise, observation_noise } => {
-            (step([transition, observation, process_noise, cross_noise, observation_noise]), *timing)
-        }
-        SteadyEquation::Control { a, b, q, r, s } => {
-            (step([&a.transpose(), &b.transpose(), q, s, r]), Timing::Departing)
-        }
-    }
 }
 
 /// A number below 1, rounded up to so many digits, or more, so that it is seen to be below 1.

@@ -23,7 +23,7 @@ pub enum ConditionError<S> {
 pub struct Inconsistent<S> {
     /// A vector v with S v = 0, so that vᵀν has variance zero.
     pub direction: Matrix<S>,
-    /// The value vᵀν, which must be zero and is not.
+    /// The value vᵀν, which must be zero and over an ordered field is not; modulo a prime v may be orthogonal to ν.
     pub value: S,
 }
 

@@ -66,24 +66,6 @@ impl UnifiedStep {
         }
     }
 
-    /// The step whose equation is that of control,
-    /// `X = AᵀXA − (AᵀXB + S)(R + BᵀXB)⁻¹(BᵀXA + Sᵀ) + Q`, with S an n×m matrix; its gain is the transpose of the feedback.
-    pub fn of_control(
-        a: &Matrix<Rational>,
-        b: &Matrix<Rational>,
-        q: Matrix<Rational>,
-        s: Matrix<Rational>,
-        r: Matrix<Rational>,
-    ) -> Self {
-        Self {
-            transition: a.transpose(),
-            observation: b.transpose(),
-            process_noise: q,
-            cross_noise: s,
-            observation_noise: r,
-        }
-    }
-
     /// n
     pub fn states(&self) -> usize {
         self.transition.rows()

@@ -2,7 +2,7 @@
 
 use super::girsanov::product;
 use super::posterior::half;
-use super::statistics::{StatisticsError, inverse_or_kernel};
+use super::statistics::{StatisticsError, inverse};
 use super::{LogDensity, Shift};
 use crate::matrix::Matrix;
 use crate::model::{Path, Timing};
@@ -140,7 +140,7 @@ impl<S: OrderedField> Decomposition<S> {
             let observed = at.reading.present();
             let (w, wv) = (&transition.noise, transition.cross_noise.select_columns(&observed));
             let v = at.observation_noise.select(&observed, &observed);
-            let v_inverse = inverse_or_kernel(&v).map_err(|witness| StatisticsError::Noiseless { step, witness })?;
+            let v_inverse = inverse(&v).map_err(|reason| reason.at(step))?;
             let regression = &wv * &v_inverse;
             parts.push(Part {
                 a: transition.matrix.clone(),

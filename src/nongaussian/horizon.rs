@@ -1,7 +1,7 @@
 //! Whether the measures ℙ̄ of all horizons have a limit with a density, for constant systems.
 
 use super::initial_law::InitialLaw;
-use super::statistics::{StatisticsError, inverse_or_kernel};
+use super::statistics::{StatisticsError, inverse};
 use crate::matrix::{Echelon, Matrix, Undecided};
 use crate::model::{Coefficient, Field, ModelError, Noise, Observation, System, Timing};
 use crate::scalar::{OrderedField, Scalar};
@@ -113,8 +113,7 @@ impl<S: OrderedField> InfiniteHorizon<S> {
         let reading = Observation::complete(vec![S::zero(); h.rows()]);
         let path = without_inputs.realised(&[reading])?;
         let step = &path.steps()[0];
-        let singular = |witness| StatisticsError::Noiseless { step: 0, witness };
-        let v_inverse = inverse_or_kernel(&step.observation_noise).map_err(singular)?;
+        let v_inverse = inverse(&step.observation_noise).map_err(|reason| reason.at(0))?;
         let n = a.rows();
         let cross = step.transition.as_ref().map_or_else(|| Matrix::zeros(n, h.rows()), |one| one.cross_noise.clone());
         Ok(Self::observable(&(a - cross * &v_inverse * h), h, &v_inverse))

@@ -1,7 +1,7 @@
 //! One step of the recursions (2.1) to (2.7), with (1.7) and (3.20).
 
 use super::Statistics;
-use super::statistics::inverse_or_kernel;
+use super::statistics::{NoInverse, inverse};
 use crate::matrix::Matrix;
 use crate::model::{Step, Transition};
 use crate::scalar::Field;
@@ -30,7 +30,7 @@ impl<S: Field> Recursion<S> {
         &self.0
     }
 
-    /// From t to t + 1. An error is a vector of the kernel of Σᵛ.
+    /// From t to t + 1. An error is that of Σᵛ, or of J.
     ///
     /// SM-1.6: `Φ(t,t) = I,  Φ(s+1,t) = A(s)Φ(s,t),  s ≥ t`
     ///
@@ -43,17 +43,17 @@ impl<S: Field> Recursion<S> {
     /// SM-3.20: `M(t+1) = ∑[s=0..t] Ψᵀ(s,0)Hᵀ(s)Σᵛ(s+1)⁻¹H(s)Ψ(s,0),  M(0) = 0`
     ///
     /// SM-2.2: `J(t) = H(t)P(t)Hᵀ(t) + Σᵛ(t+1)`
-    pub(super) fn advance(&mut self, step: &Step<S>, transition: &Transition<S>) -> Result<(), Matrix<S>> {
+    pub(super) fn advance(&mut self, step: &Step<S>, transition: &Transition<S>) -> Result<(), NoInverse<S>> {
         let observed = step.reading.present();
         let (a, w, h) = (&transition.matrix, &transition.noise, &step.observation.select_rows(&observed));
         let wv = &transition.cross_noise.select_columns(&observed);
         let v = step.observation_noise.select(&observed, &observed);
-        let v_inverse = inverse_or_kernel(&v)?;
+        let v_inverse = inverse(&v)?;
         let Statistics { covariance: p, cross: q, error: r, transition: psi, information: m, mean, linear, .. } =
             &self.0;
         let j = h.congruence(p) + &v;
         // J ≥ Σᵛ > 0
-        let j_inverse = inverse_or_kernel(&j)?;
+        let j_inverse = inverse(&j)?;
         let cross = a * p * h.transpose() + wv;
         let gain = &cross * &j_inverse;
         let response = h * (q + psi);

@@ -1,7 +1,7 @@
 //! The statistics of the data that the conditional law needs, whatever F is.
 
 use super::recursion::Recursion;
-use crate::matrix::Matrix;
+use crate::matrix::{Matrix, SolveError, Undecided};
 use crate::model::{Path, Timing};
 use crate::scalar::Field;
 
@@ -67,6 +67,14 @@ pub enum StatisticsError<S> {
     /// The noise of y_k is shared with the transition that arrives at k.
     #[error("the system has arriving timing; the statistics are those of departing timing")]
     Arriving,
+    /// Whether a covariance is regular cannot be decided; never over the rationals.
+    #[error("at step {step}: {source}")]
+    Undecided {
+        /// The step, counted from 0.
+        step: usize,
+        /// Where elimination stopped.
+        source: Undecided,
+    },
 }
 
 /// The statistics at t = 0, 1, …: before any reading, after y_0, after y_0 and y_1, and so on, one for each transition
@@ -121,15 +129,34 @@ pub fn statistics<S: Field>(path: &Path<S>) -> Result<Vec<Statistics<S>>, Statis
     let mut all = vec![recursion.now().clone()];
     for (step, parts) in path.steps().iter().enumerate() {
         let Some(transition) = &parts.transition else { break };
-        let witness = |witness| StatisticsError::Noiseless { step, witness };
-        recursion.advance(parts, transition).map_err(witness)?;
+        recursion.advance(parts, transition).map_err(|reason| reason.at(step))?;
         all.push(recursion.now().clone());
     }
     Ok(all)
 }
 
-/// The inverse of a positive semidefinite matrix, or a vector v ≠ 0 that it maps to 0.
-pub(super) fn inverse_or_kernel<S: Field>(matrix: &Matrix<S>) -> Result<Matrix<S>, Matrix<S>> {
+/// Why a positive semidefinite matrix is not inverted.
+pub(super) enum NoInverse<S> {
+    /// A vector v ≠ 0 that it maps to 0.
+    Singular(Matrix<S>),
+    Undecided(Undecided),
+}
+
+impl<S> NoInverse<S> {
+    /// As the noise of an observation.
+    pub(super) fn at(self, step: usize) -> StatisticsError<S> {
+        match self {
+            Self::Singular(witness) => StatisticsError::Noiseless { step, witness },
+            Self::Undecided(source) => StatisticsError::Undecided { step, source },
+        }
+    }
+}
+
+/// The inverse of a positive semidefinite matrix.
+pub(super) fn inverse<S: Field>(matrix: &Matrix<S>) -> Result<Matrix<S>, NoInverse<S>> {
     debug_assert!(matrix.asymmetry().is_none(), "a covariance is symmetric");
-    matrix.inverse().map_err(|_| matrix.kernel().select_columns(&[0]))
+    matrix.inverse().map_err(|error| match error {
+        SolveError::Singular { .. } => NoInverse::Singular(matrix.kernel().select_columns(&[0])),
+        SolveError::Undecided(undecided) => NoInverse::Undecided(undecided),
+    })
 }

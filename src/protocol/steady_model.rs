@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::document::{self, present};
 use super::{Along, Case, Datum, Entry, InputError, Matrices, NoiseLaw, Numbers};
 use crate::matrix::Matrix;
-use crate::model::{Timing, UnifiedStep};
+use crate::model::{Observation, Step, Timing, Transition, UnifiedStep};
 use crate::scalar::Rational;
 
 /// A model with constant matrices, whose numbers are exact.
@@ -77,6 +77,17 @@ impl SteadyEquation {
             Self::Filter { timing, .. } => Some(*timing),
             Self::Control { .. } => None,
         }
+    }
+
+    /// A, C, Q, S and R of the filter with this equation. That of control has Aᵀ and Bᵀ, and the transposed feedback for its gain.
+    fn filter(&self) -> (Timing, [Matrix<Rational>; 5]) {
+        let (timing, transition, observation, [process, cross, noise]) = match self {
+            Self::Filter { timing, transition, observation, process_noise, cross_noise, observation_noise } => {
+                (*timing, transition.clone(), observation.clone(), [process_noise, cross_noise, observation_noise])
+            }
+            Self::Control { a, b, q, r, s } => (Timing::Departing, a.transpose(), b.transpose(), [q, s, r]),
+        };
+        (timing, [transition, observation, process.clone(), cross.clone(), noise.clone()])
     }
 }
 
@@ -169,24 +180,22 @@ impl SteadyModel {
 
     /// The step in the form for both timings.
     pub fn unified(&self) -> UnifiedStep {
-        match &self.equation {
-            SteadyEquation::Filter {
-                timing,
-                transition,
-                observation,
-                process_noise,
-                cross_noise,
-                observation_noise,
-            } => UnifiedStep::new(
-                *timing,
-                transition.clone(),
-                observation,
-                process_noise.clone(),
-                cross_noise,
-                observation_noise.clone(),
-            ),
-            SteadyEquation::Control { a, b, q, r, s } => UnifiedStep::of_control(a, b, q.clone(), s.clone(), r.clone()),
-        }
+        let (timing, [a, c, q, s, r]) = self.equation.filter();
+        UnifiedStep::new(timing, a, &c, q, &s, r)
+    }
+
+    /// The step that is repeated for ever, and its timing; all is read, and is zero.
+    pub fn step(&self) -> (Step<Rational>, Timing) {
+        let (timing, [a, c, q, s, r]) = self.equation.filter();
+        let (n, m) = (a.rows(), c.rows());
+        let step = Step {
+            transition: Some(Transition { matrix: a, input: Matrix::zeros(n, 1), noise: q, cross_noise: s }),
+            observation: c,
+            observation_input: Matrix::zeros(m, 1),
+            observation_noise: r,
+            reading: Observation::complete(vec![Rational::default(); m]),
+        };
+        (step, timing)
     }
 
     /// The document of the same model, every number a fraction.

@@ -10,17 +10,28 @@ use crate::scalar::{Field, ZeroTest};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
     letters: &'static [&'static str],
-    numbers: [usize; 3],
+    numbers: &'static [usize],
 }
 
+/// The numbers of a size, with zeros behind them: what bodies take apart.
+pub(super) type Numbers = [usize; 5];
+
 impl Size {
-    /// The numbers, in the order of the letters; unused ones are zero.
-    pub fn numbers(&self) -> [usize; 3] {
+    /// The numbers, in the order of the letters.
+    pub fn numbers(&self) -> &'static [usize] {
         self.numbers
     }
 
-    pub(super) fn all(letters: &'static [&'static str], numbers: &[[usize; 3]]) -> Vec<Self> {
-        numbers.iter().map(|&numbers| Self { letters, numbers }).collect()
+    pub(super) fn all(letters: &'static [&'static str], sizes: &[&'static [usize]]) -> Vec<Self> {
+        let size = |&numbers: &&'static [usize]| {
+            assert_eq!(numbers.len(), letters.len(), "each letter has a number");
+            Self { letters, numbers }
+        };
+        sizes.iter().map(size).collect()
+    }
+
+    pub(super) fn padded(&self) -> Numbers {
+        std::array::from_fn(|place| self.numbers.get(place).copied().unwrap_or(0))
     }
 }
 
@@ -51,6 +62,14 @@ pub enum Failure {
         /// Which equation, counted from 1.
         equation: usize,
     },
+    /// The sides are lists of different lengths.
+    #[error("one side has {left} steps, the other {right}")]
+    Lengths {
+        /// That of the first.
+        left: usize,
+        /// That of the second.
+        right: usize,
+    },
     /// A routine returned an error.
     #[error("no value: {0}")]
     NoValue(String),
@@ -75,20 +94,35 @@ pub(super) type Sides<F> = Vec<(Matrix<F>, Matrix<F>)>;
 pub(super) trait Body {
     const IDENTIFIERS: &'static [&'static str];
     const NAME: &'static str;
+    /// What was supposed, beyond that the code decides as it does for variables: "where …".
+    const WHERE: &'static str;
     /// What differs in the twin.
     const SLIP: &'static str;
     const LETTERS: &'static [&'static str];
-    const SYMBOLIC: &'static [[usize; 3]];
+    const SYMBOLIC: &'static [&'static [usize]];
     /// Further ones, whose proofs take seconds.
-    const HEAVY: &'static [[usize; 3]] = &[];
-    const RANDOM: &'static [[usize; 3]];
+    const HEAVY: &'static [&'static [usize]] = &[];
+    const RANDOM: &'static [&'static [usize]];
 
-    fn sides<F: Field>(numbers: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure>;
+    fn sides<F: Field>(numbers: Numbers, twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure>;
 }
 
 /// What a routine answered instead of a value.
 pub(super) fn no_value(error: impl fmt::Debug) -> Failure {
     Failure::NoValue(format!("{error:?}").chars().take(160).collect())
+}
+
+/// What belongs together; a step that is missing on one side is a failure, not left out.
+pub(super) fn paired<A, B>(
+    left: impl IntoIterator<Item = A>,
+    right: impl IntoIterator<Item = B>,
+) -> Result<Vec<(A, B)>, Failure> {
+    let (left, right): (Vec<A>, Vec<B>) = (left.into_iter().collect(), right.into_iter().collect());
+    if left.len() == right.len() {
+        Ok(left.into_iter().zip(right).collect())
+    } else {
+        Err(Failure::Lengths { left: left.len(), right: right.len() })
+    }
 }
 
 /// The first difference, if there is one.
@@ -112,4 +146,15 @@ pub(super) fn compared<F: Field>(sides: &Sides<F>) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_step_is_a_failure() {
+        assert_eq!(paired([1, 2], ["a", "b"]), Ok(vec![(1, "a"), (2, "b")]));
+        assert_eq!(paired([1, 2], ["a"]), Err(Failure::Lengths { left: 2, right: 1 }));
+    }
 }

@@ -38,7 +38,9 @@ impl<'a, F: Field> Entries<'a, F> {
     }
 
     fn kept(&mut self, name: &str, matrix: Matrix<F>) -> Matrix<F> {
-        self.named.push((name.to_owned(), matrix.clone()));
+        if !matrix.entries().is_empty() {
+            self.named.push((name.to_owned(), matrix.clone()));
+        }
         matrix
     }
 }

@@ -5,8 +5,8 @@
 //!
 //! * on the variables of [`RationalFunction`](crate::scalar::RationalFunction): equal sides are a *proof* for matrices of that size.
 //!   What is proved is the identity of rational functions: it holds wherever both sides are defined and the code takes the
-//!   decisions (pivots, ranks) that it takes for variables, which is everywhere but on the zeros of some polynomial. Where a theorem is about singular matrices
-//!   they are built from factors, so that being singular is no exception;
+//!   decisions (pivots, ranks) that it takes for variables, which is everywhere but on the zeros of some polynomial. What is supposed besides is
+//!   the identity's hypothesis. Where a theorem is about singular matrices, others of its identities build them from factors;
 //! * at random points of the field of 2⁶¹ − 1 elements, for larger sizes: equal sides are *no proof*, but a wrong identity would be
 //!   accepted with a probability that is bounded ([`Chance`] has the argument);
 //! * at small integers, for its *twin*: the same body with one slip that programmers make. The twin must be disproved, and the
@@ -15,12 +15,12 @@
 //! # Examples
 //!
 //! ```
-//! use exact_kalman::prove::catalogue;
+//! use exact_kalman::{prove::catalogue, scalar::ratio};
 //!
 //! let identities = catalogue();
-//! let subtractive = identities.iter().find(|identity| identity.identifiers.contains(&"AK-L4.1iv")).unwrap();
+//! let subtractive = identities.iter().find(|identity| identity.identifiers.contains(&"AK-L4.1iv")).expect("one says it");
 //! subtractive.proved(subtractive.symbolic[0])?;
-//! assert!(subtractive.chance(subtractive.random[0], 1)?.bound() < 1e-15);
+//! assert!(subtractive.chance(subtractive.random[0], 1)?.bound() < ratio(1, 1_000_000_000_000_000));
 //! let witness = subtractive.twin_disproved()?;
 //! assert!(witness.to_string().contains("F = "));
 //! # Ok::<(), exact_kalman::prove::Failure>(())

@@ -1,10 +1,10 @@
 //! Proofs over the rational functions.
 
-use super::body::{Body, Failure, compared};
+use super::body::{Body, Failure, Numbers, compared};
 use super::entries::Entries;
 use crate::scalar::RationalFunction;
 
-/// An identity holds for all matrices of one size.
+/// An identity holds for matrices of one size: as an equation between rational functions of their entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Proof {
     /// How many variables.
@@ -13,11 +13,12 @@ pub struct Proof {
     pub terms: usize,
 }
 
-pub(super) fn proved<B: Body>(numbers: [usize; 3], twin: bool) -> Result<Proof, Failure> {
+/// The variables have the numbers from `first` on.
+pub(super) fn proved<B: Body>(numbers: Numbers, twin: bool, first: usize) -> Result<Proof, Failure> {
     let mut variables = 0;
     let mut next = || {
         variables += 1;
-        RationalFunction::variable(variables - 1)
+        RationalFunction::variable(first + variables - 1)
     };
     let sides = B::sides(numbers, twin, &mut Entries::new(&mut next))?;
     let entries = || sides.iter().flat_map(|(left, right)| left.entries().iter().chain(right.entries()));

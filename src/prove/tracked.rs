@@ -1,6 +1,6 @@
 //! Values at a random point, with bounds of the degrees of the rational functions that have them.
 
-use std::cell::Cell;
+use std::cell::RefCell;
 
 use crate::scalar::{Field, Mersenne61, Scalar, Undefined, ZeroTest};
 
@@ -16,25 +16,23 @@ pub struct Tracked {
 }
 
 /// The questions "is this zero?" that were asked.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Tally {
-    /// How many.
-    pub(super) questions: u64,
+    /// The answers, in the order of the questions.
+    pub(super) answers: Vec<bool>,
     /// The largest degree bound of a numerator asked about.
     pub(super) degree: u128,
-    /// The answers, folded into one number.
-    pub(super) answers: u64,
 }
 
 thread_local! {
-    static TALLY: Cell<Tally> = const { Cell::new(Tally { questions: 0, degree: 0, answers: 0 }) };
+    static TALLY: RefCell<Tally> = RefCell::default();
 }
 
 /// What `work` returns, with the questions it asked.
 pub(super) fn tallied<T>(work: impl FnOnce() -> T) -> (T, Tally) {
-    TALLY.set(Tally::default());
+    TALLY.take();
     let result = work();
-    (result, TALLY.get())
+    (result, TALLY.take())
 }
 
 impl Tracked {
@@ -60,11 +58,10 @@ impl Tracked {
     /// The answer for the value, entered into the tally.
     fn asked(self) -> bool {
         let is_zero = self.value.is_zero();
-        let mut tally = TALLY.get();
-        tally.questions += 1;
-        tally.degree = tally.degree.max(self.above);
-        tally.answers = (tally.answers.rotate_left(7) ^ u64::from(is_zero)).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 1;
-        TALLY.set(tally);
+        TALLY.with_borrow_mut(|tally| {
+            tally.answers.push(is_zero);
+            tally.degree = tally.degree.max(self.above);
+        });
         is_zero
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::body::{Body, Failure, compared};
+use super::body::{Body, Failure, Numbers, compared};
 use super::chance::Random;
 use super::entries::Entries;
 use crate::matrix::Matrix;
@@ -27,7 +27,7 @@ impl fmt::Display for Witness {
 }
 
 /// The first point found, entries between −1 and 1 first, then between −2 and 2, and so on.
-pub(super) fn found<B: Body>(numbers: [usize; 3]) -> Result<Witness, Failure> {
+pub(super) fn found<B: Body>(numbers: Numbers) -> Result<Witness, Failure> {
     let mut random = Random(1);
     for point in 0..MOST_POINTS {
         let most = 1 + point as u64 / 50;

@@ -1,7 +1,7 @@
 //! φ, its iterates, its gain and its closed loop.
 
 use super::{RiccatiError, Role};
-use crate::matrix::{Matrix, Shape};
+use crate::matrix::{Matrix, PseudoInverseError, Shape};
 use crate::scalar::{Field, OrderedField};
 
 /// The map `φ(S) = A(S:W)Aᵀ + V`, which leads from the covariance before one observation to that before the next.
@@ -101,6 +101,39 @@ impl<S: Field> RiccatiMap<S> {
         &self.observation_noise
     }
 
+    /// AWAᵀ + V, which no image of φ exceeds.
+    pub fn upper_bound(&self) -> Matrix<S> {
+        self.transition.congruence(&self.observation_noise) + &self.state_noise
+    }
+
+    /// [`RiccatiMap::image`] over any field; an error only if there is no (certain) pseudo-inverse.
+    pub(crate) fn try_image(&self, s: &Matrix<S>) -> Result<Matrix<S>, PseudoInverseError> {
+        Ok(self.transition.congruence(&self.try_filtered_covariance(s)?) + &self.state_noise)
+    }
+
+    /// [`RiccatiMap::filtered_covariance`] over any field.
+    pub(crate) fn try_filtered_covariance(&self, s: &Matrix<S>) -> Result<Matrix<S>, PseudoInverseError> {
+        s.parallel_sum(&self.observation_noise)
+    }
+
+    /// [`RiccatiMap::gain`] over any field.
+    pub(crate) fn try_gain(&self, s: &Matrix<S>) -> Result<Matrix<S>, PseudoInverseError> {
+        Ok(s * self.try_information(s)?)
+    }
+
+    /// [`RiccatiMap::closed_loop`] over any field.
+    pub(crate) fn try_closed_loop(&self, t: &Matrix<S>) -> Result<Matrix<S>, PseudoInverseError> {
+        Ok(&self.transition * &self.observation_noise * self.try_information(t)?)
+    }
+
+    /// (S + W)⁺
+    fn try_information(&self, s: &Matrix<S>) -> Result<Matrix<S>, PseudoInverseError> {
+        let total = s + &self.observation_noise;
+        total.inverse().or_else(|_| total.pseudo_inverse())
+    }
+}
+
+impl<S: OrderedField> RiccatiMap<S> {
     /// φ(S), for S ≥ 0.
     ///
     /// AK-4.1: `S(k) = A[S(k−1) − S(k−1)(S(k−1) + W)⁻¹S(k−1)]Aᵀ + V = A(S(k−1):W)Aᵀ + V = φ(S(k−1)), k ≥ 2`
@@ -115,7 +148,7 @@ impl<S: Field> RiccatiMap<S> {
     ///
     /// If the shapes do not fit.
     pub fn image(&self, s: &Matrix<S>) -> Matrix<S> {
-        self.transition.congruence(&self.filtered_covariance(s)) + &self.state_noise
+        certain(self.try_image(s))
     }
 
     /// φⁿ(S), for S ≥ 0; entries lengthen with n.
@@ -127,21 +160,13 @@ impl<S: Field> RiccatiMap<S> {
         (0..times).fold(s.clone(), |s, _| self.image(&s))
     }
 
-    /// AWAᵀ + V, which no image of φ exceeds.
-    pub fn upper_bound(&self) -> Matrix<S> {
-        self.transition.congruence(&self.observation_noise) + &self.state_noise
-    }
-
     /// S:W, the covariance after an observation where S ≥ 0 is that before it.
     ///
     /// # Panics
     ///
     /// If the shapes do not fit.
     pub fn filtered_covariance(&self, s: &Matrix<S>) -> Matrix<S> {
-        match s.parallel_sum(&self.observation_noise) {
-            Ok(sum) => sum,
-            Err(error) => unreachable!("over an ordered field every matrix has a pseudo-inverse, but {error}"),
-        }
+        certain(self.try_filtered_covariance(s))
     }
 
     /// Δ, the gain of an observation where S ≥ 0 is the covariance before it.
@@ -152,7 +177,7 @@ impl<S: Field> RiccatiMap<S> {
     ///
     /// If the shapes do not fit.
     pub fn gain(&self, s: &Matrix<S>) -> Matrix<S> {
-        s * self.information(s)
+        certain(self.try_gain(s))
     }
 
     /// D, by which the filter's own errors move on where T ≥ 0 is the covariance before an observation.
@@ -167,16 +192,20 @@ impl<S: Field> RiccatiMap<S> {
     ///
     /// If the shapes do not fit.
     pub fn closed_loop(&self, t: &Matrix<S>) -> Matrix<S> {
-        &self.transition * &self.observation_noise * self.information(t)
+        certain(self.try_closed_loop(t))
     }
 
     /// (S + W)⁺
     pub(super) fn information(&self, s: &Matrix<S>) -> Matrix<S> {
-        let total = s + &self.observation_noise;
-        match total.inverse().or_else(|_| total.pseudo_inverse()) {
-            Ok(inverse) => inverse,
-            Err(error) => unreachable!("over an ordered field every matrix has a pseudo-inverse, but {error}"),
-        }
+        certain(self.try_information(s))
+    }
+}
+
+/// What an ordered field has.
+pub(super) fn certain<T>(value: Result<T, PseudoInverseError>) -> T {
+    match value {
+        Ok(value) => value,
+        Err(error) => unreachable!("over an ordered field every matrix has a pseudo-inverse, but {error}"),
     }
 }
 

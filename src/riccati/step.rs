@@ -1,8 +1,9 @@
 //! The filter for the model of Anderson and others, step by step.
 
 use super::RiccatiMap;
-use crate::matrix::Matrix;
-use crate::scalar::Field;
+use super::map::certain;
+use crate::matrix::{Matrix, PseudoInverseError};
+use crate::scalar::{Field, OrderedField};
 
 /// What one step does to the covariance.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -15,7 +16,7 @@ pub struct CovarianceStep<S> {
     pub filtered: Matrix<S>,
 }
 
-impl<S: Field> RiccatiMap<S> {
+impl<S: OrderedField> RiccatiMap<S> {
     /// One step from P(k−1) ≥ 0, with the A, V and W of this map; where they change, each step has a map of its own.
     ///
     /// AK-1.4a: `S(k) = A P(k−1)Aᵀ + V, k ≥ 1`
@@ -50,10 +51,17 @@ impl<S: Field> RiccatiMap<S> {
     /// # Ok::<(), exact_kalman::riccati::RiccatiError<Rational>>(())
     /// ```
     pub fn step(&self, last: &Matrix<S>) -> CovarianceStep<S> {
+        certain(self.try_step(last))
+    }
+}
+
+impl<S: Field> RiccatiMap<S> {
+    /// [`RiccatiMap::step`] over any field; an error only if there is no (certain) pseudo-inverse.
+    pub(crate) fn try_step(&self, last: &Matrix<S>) -> Result<CovarianceStep<S>, PseudoInverseError> {
         let predicted = self.transition().congruence(last) + self.state_noise();
-        let gain = self.gain(&predicted);
+        let gain = self.try_gain(&predicted)?;
         let filtered = &predicted - &gain * &predicted;
-        CovarianceStep { predicted, gain, filtered }
+        Ok(CovarianceStep { predicted, gain, filtered })
     }
 
     /// x(k|k), given the gain, x(k−1|k−1) and y(k).

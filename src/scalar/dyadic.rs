@@ -53,7 +53,7 @@ impl Dyadic {
     pub fn new(mantissa: BigInt, exponent: i64) -> Self {
         let Some(even) = mantissa.trailing_zeros() else { return Self { mantissa, exponent: 0 } };
         let exponent = i64::try_from(even).ok().and_then(|even| exponent.checked_add(even));
-        Self { mantissa: mantissa >> even, exponent: exponent.unwrap_or_else(|| panic!("{BEYOND}")) }
+        Self { mantissa: cut(mantissa, even), exponent: exponent.unwrap_or_else(|| panic!("{BEYOND}")) }
     }
 
     /// Zero.
@@ -123,13 +123,21 @@ impl Dyadic {
         let (large, small) = if self.size() >= other.size() { (self, other) } else { (other, self) };
         // What lies below all bits that are kept only decides where the rest is rounded to.
         let least = i128::from(large.exponent).min(large.size() - i128::from(bits) - 2);
-        let (mantissa, exponent) = if small.size() < least - 2 {
-            (BigInt::from(if small.is_negative() { -1 } else { 1 }), least - 2)
-        } else {
-            (small.mantissa.clone(), small.exponent.into())
+        if small.size() < least - 2 {
+            let unit = BigInt::from(if small.is_negative() { -1 } else { 1 });
+            return bounded(
+                lifted(&large.mantissa, i128::from(large.exponent) - least + 2) + unit,
+                least - 2,
+                bits,
+                toward,
+            );
+        }
+        let (high, low) = if large.exponent >= small.exponent { (large, small) } else { (small, large) };
+        let common = i128::from(low.exponent);
+        let sum = match i128::from(high.exponent) - common {
+            0 => &high.mantissa + &low.mantissa,
+            places => lifted(&high.mantissa, places) + &low.mantissa,
         };
-        let common = exponent.min(large.exponent.into());
-        let sum = lifted(&large.mantissa, i128::from(large.exponent) - common) + lifted(&mantissa, exponent - common);
         bounded(sum, common, bits, toward)
     }
 
@@ -183,14 +191,14 @@ fn bounded(mantissa: BigInt, exponent: i128, bits: u64, toward: Toward) -> Dyadi
     let (mantissa, exponent) = if excess == 0 {
         (mantissa, exponent)
     } else {
-        // Shifts of integers round below, of negative ones too.
-        let below = &mantissa >> excess;
         let is_exact = mantissa.trailing_zeros().is_some_and(|zeros| zeros >= excess);
+        // Shifts of integers round below, of negative ones too.
+        let below = mantissa >> excess;
         let mantissa = if toward == Toward::Above && !is_exact { below + 1 } else { below };
         (mantissa, exponent + i128::from(excess))
     };
     let Some(even) = mantissa.trailing_zeros() else { return Dyadic::zero() };
-    let (mantissa, exponent) = (mantissa >> even, exponent + i128::from(even));
+    let (mantissa, exponent) = (cut(mantissa, even), exponent + i128::from(even));
     let size = exponent + i128::from(mantissa.bits());
     let outward = mantissa.is_negative() == (toward == Toward::Below);
     let end = |magnitude: i64| {
@@ -207,6 +215,11 @@ fn bounded(mantissa: BigInt, exponent: i128, bits: u64, toward: Toward) -> Dyadi
     }
     let exponent = i64::try_from(exponent).unwrap_or_else(|_| panic!("{BEYOND}"));
     Dyadic { mantissa, exponent }
+}
+
+/// `mantissa / 2^places`, where so many bits are zero.
+fn cut(mantissa: BigInt, places: u64) -> BigInt {
+    if places == 0 { mantissa } else { mantissa >> places }
 }
 
 /// `mantissa · 2^places`; there are few.

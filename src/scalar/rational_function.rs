@@ -68,7 +68,7 @@ impl Factor {
     }
 }
 
-/// The same factors, each as often as in the list that has it more often; none of the list divides another.
+/// Takes a power of a factor into a list of which none divides another; factors are split where that needs it.
 fn refined(list: &mut Vec<(Rc<Factor>, u32)>, factor: Rc<Factor>, power: u32) {
     if power == 0 || factor.polynomial.as_constant().is_some() {
         return;

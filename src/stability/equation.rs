@@ -1,8 +1,8 @@
 //! One step of the random Riccati equation, and its Lyapunov form.
 
 use super::Mode;
-use crate::matrix::Matrix;
-use crate::scalar::Field;
+use crate::matrix::{Matrix, PseudoInverseError};
+use crate::scalar::{Field, OrderedField};
 
 /// One step from P(k), with the parts that the theory names.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub struct RiccatiStep<S> {
     pub next: Matrix<S>,
 }
 
-impl<S: Field> Mode<S> {
+impl<S: OrderedField> Mode<S> {
     /// One step of the equation from P(k) ≥ 0.
     ///
     /// WG-1: `P(k+1) = F(k)P(k)Fᵀ(k) − F(k)P(k)Hᵀ(k)[H(k)P(k)Hᵀ(k) + R(k)]⁻¹H(k)P(k)Fᵀ(k) + Q(k)`
@@ -42,13 +42,23 @@ impl<S: Field> Mode<S> {
     /// # Ok::<(), exact_kalman::stability::ModeError<Rational>>(())
     /// ```
     pub fn step(&self, covariance: &Matrix<S>) -> RiccatiStep<S> {
+        match self.try_step(covariance) {
+            Ok(step) => step,
+            Err(error) => unreachable!("over an ordered field every matrix has a pseudo-inverse, but {error}"),
+        }
+    }
+}
+
+impl<S: Field> Mode<S> {
+    /// [`Mode::step`] over any field; an error only if there is no (certain) pseudo-inverse.
+    pub(crate) fn try_step(&self, covariance: &Matrix<S>) -> Result<RiccatiStep<S>, PseudoInverseError> {
         let cross = covariance * self.observation().transpose();
         let innovation = self.observation().congruence(covariance) + self.observation_noise();
-        let gain = &cross * inverse(&innovation);
+        let gain = &cross * innovation.inverse().or_else(|_| innovation.pseudo_inverse())?;
         let next = self.transition().congruence(&(covariance - &gain * cross.transpose())) + self.process_noise();
         let closed_loop = self.closed_loop(&gain);
         let noise = self.closed_loop_noise(&gain);
-        RiccatiStep { gain, closed_loop, noise, next }
+        Ok(RiccatiStep { gain, closed_loop, noise, next })
     }
 
     /// F(I − LH) for any gain L, d×m.
@@ -79,11 +89,4 @@ impl<S: Field> Mode<S> {
     pub fn lyapunov(&self, covariance: &Matrix<S>, gain: &Matrix<S>) -> Matrix<S> {
         self.closed_loop(gain).congruence(covariance) + self.closed_loop_noise(gain)
     }
-}
-
-fn inverse<S: Field>(matrix: &Matrix<S>) -> Matrix<S> {
-    matrix
-        .inverse()
-        .or_else(|_| matrix.pseudo_inverse())
-        .unwrap_or_else(|error| unreachable!("an ordered field: {error}"))
 }

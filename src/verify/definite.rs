@@ -9,8 +9,15 @@ use super::table::Table;
 /// below it: few first, more for what is nearly singular.
 const TRIALS: [(u64, u64); 3] = [(64, 10), (256, 128), (1024, 512)];
 
-/// Beyond so many bits times (rows)⁴ nothing is eliminated exactly.
+/// Beyond so many bits times (rows)³ times columns nothing is eliminated exactly.
 const WORK: u128 = 1 << 34;
+
+/// Whether elimination of so many rows and columns would take too long.
+fn is_long(rows: usize, columns: usize, entries: impl Iterator<Item = u64>) -> bool {
+    let [rows, columns] = [rows, columns].map(|count| u128::try_from(count).unwrap_or(u128::MAX));
+    let bits = u128::from(entries.max().unwrap_or(0));
+    rows.saturating_pow(3).saturating_mul(columns).saturating_mul(bits) > WORK
+}
 
 /// Why a matrix is not known to be positive semidefinite.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,9 +79,7 @@ fn decided(matrix: &Table, places: &[usize], strictly: bool) -> Result<(), Indef
     if least.iter().any(|&trial| has_factor(&rest, trial)) {
         return Ok(());
     }
-    let bits = rest.iter().flatten().map(BigInt::bits).max().unwrap_or(0);
-    let size = u128::try_from(rest.len()).unwrap_or(u128::MAX);
-    if size.saturating_pow(4).saturating_mul(bits.into()) > WORK {
+    if is_long(rest.len(), rest.len(), rest.iter().flatten().map(BigInt::bits)) {
         if more.iter().any(|&trial| has_factor(&rest, trial)) {
             return Ok(());
         }
@@ -157,9 +162,12 @@ fn eliminated(mut matrix: Vec<Vec<BigInt>>, strictly: bool) -> Result<(), usize>
     Ok(())
 }
 
-/// The rank of rows of integers.
-pub(super) fn rank(mut rows: Vec<Vec<BigInt>>) -> usize {
+/// The rank of rows of integers; nothing if it would take too long.
+pub(super) fn rank(mut rows: Vec<Vec<BigInt>>) -> Option<usize> {
     let columns = rows.first().map_or(0, Vec::len);
+    if is_long(rows.len(), columns, rows.iter().flatten().map(BigInt::bits)) {
+        return None;
+    }
     let (mut rank, mut last) = (0, BigInt::one());
     for column in 0..columns {
         let Some(found) = (rank..rows.len()).find(|&i| !rows[i][column].is_zero()) else { continue };
@@ -174,7 +182,7 @@ pub(super) fn rank(mut rows: Vec<Vec<BigInt>>) -> usize {
         last.clone_from(&rows[rank][column]);
         rank += 1;
     }
-    rank
+    Some(rank)
 }
 
 #[cfg(test)]
@@ -248,9 +256,13 @@ mod tests {
     #[test]
     fn the_rank_counts_independent_rows() {
         let rows = |rows: &[&[i64]]| rows.iter().map(|row| row.iter().map(|&x| x.into()).collect()).collect();
-        assert_eq!(rank(rows(&[&[0, 0, 2], &[1, 2, 3], &[1, 2, 5], &[2, 4, 0]])), 2);
-        assert_eq!(rank(rows(&[&[0, 3], &[0, 0]])), 1);
-        assert_eq!(rank(rows(&[&[2, 3, 1], &[4, 5, 1], &[6, 7, 2]])), 3);
-        assert_eq!(rank(Vec::new()), 0);
+        assert_eq!(rank(rows(&[&[0, 0, 2], &[1, 2, 3], &[1, 2, 5], &[2, 4, 0]])), Some(2));
+        assert_eq!(rank(rows(&[&[0, 3], &[0, 0]])), Some(1));
+        assert_eq!(rank(rows(&[&[2, 3, 1], &[4, 5, 1], &[6, 7, 2]])), Some(3));
+        assert_eq!(rank(Vec::new()), Some(0));
+        // A unit matrix of long entries.
+        let long =
+            |n: usize| (0..n).map(|i| (0..n).map(|j| BigInt::from(u8::from(i == j)) << 4096).collect()).collect();
+        assert_eq!((rank(long(40)), rank(long(50))), (Some(40), None));
     }
 }

@@ -3,7 +3,7 @@
 use super::belief::Belief;
 use super::document::{BeliefDocument, StepDocument};
 use super::rejection::{Condition, Rejection, wrong};
-use super::step::{Innovation, check_size, proved};
+use super::step::{Innovation, check_order, check_size, proved};
 use super::table::Table;
 use super::unified::{Target, Unified};
 use crate::model::{Before, Path, Step, Timing};
@@ -41,6 +41,7 @@ impl<'a> FilterCheck<'a> {
         if initial.diffuse.iter().any(|part| !part.is_zero()) {
             return Err(wrong(Condition::Case, "the start is diffuse: no certificate speaks of such a case"));
         }
+        path.steps().iter().try_for_each(check_order)?;
         if start.gain.is_some() || start.balance.is_some() {
             return Err(wrong(Condition::Members, "`start` has neither `gain` nor `balance`"));
         }

@@ -21,7 +21,7 @@ use super::document::DyadicMatrix;
 use super::polynomial::{at_ends, characteristic, folded_at, reaches_circle};
 use super::rejection::{Condition, Rejection, indefinite, wrong};
 use super::steady_document::{RationalRows, Stabilising, SteadyEvidence};
-use super::step::{Innovation, check_size};
+use super::step::{Innovation, check_order, check_size};
 use super::table::Table;
 use super::unified::{Target, Unified};
 use crate::model::{Step, Timing};
@@ -75,6 +75,7 @@ pub fn check_steady(
     timing: Timing,
     evidence: &SteadyEvidence,
 ) -> Result<ProvedSteady, Rejection> {
+    check_order(step)?;
     let unified = Unified::of(step, timing, timing == Timing::Arriving)?;
     let all_read = step.reading.present().len() == step.reading.dimension();
     let Some(target) = target_of(&unified, timing).filter(|_| all_read && step.transition.is_some()) else {
@@ -232,10 +233,11 @@ fn polynomial(map: &Table) -> Result<Vec<BigInt>, Rejection> {
 }
 
 fn check_rank(rows: &Table, modes: usize) -> Result<(), Rejection> {
-    if rank(rows.entries.chunks(rows.columns.max(1)).map(<[_]>::to_vec).collect()) == modes {
-        return Ok(());
+    match rank(rows.entries.chunks(rows.columns.max(1)).map(<[_]>::to_vec).collect()) {
+        Some(rank) if rank == modes => Ok(()),
+        Some(_) => Err(wrong(Condition::Independent, format!("`basis` does not have the rank {modes}"))),
+        None => Err(wrong(Condition::Size, "the rank of `basis` would take too long")),
     }
-    Err(wrong(Condition::Independent, format!("`basis` does not have the rank {modes}")))
 }
 
 fn check_zero(table: &Table, what: &str) -> Result<(), Rejection> {

@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::digest::sha256;
 use super::document::{DyadicMatrix, DyadicNumber};
 use super::rejection::{Condition, Rejection, wrong};
-use super::written::{bounded, present};
+use super::written::{Unrepeated, bounded, present};
 
 /// A certificate on the stabilising solution of a Riccati equation.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -81,6 +81,8 @@ impl SteadyDocument {
             return Err(refused("an object is expected".to_owned()));
         }
         let members: Members = serde_json::from_str(text).map_err(|error| refused(error.to_string()))?;
+        // The model is any value, of which the last of two members would count.
+        serde_json::from_str::<Unrepeated>(text).map_err(|error| refused(error.to_string()))?;
         let stated = members.sha256.clone();
         let document = Self::try_from(members).map_err(|message| refused(message.to_owned()))?;
         let digest = document.digest();

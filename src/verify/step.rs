@@ -14,10 +14,12 @@
 
 use super::belief::Belief;
 use super::definite::nonnegative;
-use super::document::{BeliefDocument, DyadicMatrix};
+use super::document::{BeliefDocument, DyadicMatrix, MAXIMAL_ROWS};
 use super::rejection::{Condition, Rejection, indefinite, wrong};
 use super::table::Table;
 use super::unified::{Target, Unified};
+use crate::model::Step;
+use crate::scalar::Rational;
 
 /// Bits of κ, w and t.
 const NUMBER_BITS: u64 = 128;
@@ -52,6 +54,16 @@ pub(super) fn check_size(magnitude: u64, states: usize, sensors: usize) -> Resul
         return Ok(());
     }
     Err(wrong(Condition::Size, format!("numbers of 2^±{magnitude}; {most} is the most that is checked")))
+}
+
+/// That there are no more states and sensors than matrices of a certificate may have rows.
+pub(super) fn check_order(step: &Step<Rational>) -> Result<(), Rejection> {
+    let (sensors, states) = (step.observation.rows(), step.observation.columns());
+    if states.max(sensors) <= MAXIMAL_ROWS {
+        return Ok(());
+    }
+    let message = format!("{states} states and {sensors} sensors; {MAXIMAL_ROWS} of each are the most that is checked");
+    Err(wrong(Condition::Size, message))
 }
 
 impl Innovation {

@@ -118,9 +118,18 @@ impl Unified {
         let row =
             |i: usize| blocks.iter().flat_map(|block| (0..block.columns).map(|j| block.at(i, j).clone())).collect();
         let rows = |places: &mut dyn Iterator<Item = usize>| places.map(row).collect::<Vec<_>>();
-        let all = rank(rows(&mut (0..self.observation.rows)));
-        if rank(rows(&mut places.iter().copied())) != all {
-            return Err(wrong(Condition::Kept, "they say something that the others do not, or contradict them"));
+        let ranks = [rank(rows(&mut (0..self.observation.rows))), rank(rows(&mut places.iter().copied()))];
+        match ranks {
+            [Some(all), Some(kept)] if all == kept => {}
+            [Some(_), Some(_)] => {
+                return Err(wrong(Condition::Kept, "they say something that the others do not, or contradict them"));
+            }
+            _ => {
+                return Err(wrong(
+                    Condition::Size,
+                    "to decide whether they follow from the others would take too long",
+                ));
+            }
         }
         let target = |target: &Target| Target { cross: target.cross.select_columns(places), ..target.clone() };
         Ok(Self {

@@ -1,7 +1,8 @@
 //! Enclosures contain the exact answer, whatever the bits; and stay narrow.
 
-use exact_kalman::certify::{CertifiedFilter, CertifiedStep, TieredFilter, TieredStep, Tiers};
+use exact_kalman::certify::{CertifiedFilter, CertifiedStep, NotEnclosed, TieredFilter, TieredStep, Tiers};
 use exact_kalman::filter::{StopReason, filter};
+use exact_kalman::gaussian::ConditionError;
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, Path, System, Timing};
 use exact_kalman::scalar::{Dyadic, Interval, Rational, Toward};
@@ -146,7 +147,57 @@ fn sensors_that_repeat_others_are_left_out() {
     let contradiction =
         [3, -1].map(|y| Observation::complete([y, y, 2 * y + 1].map(|y| Rational::from(BigInt::from(y)))));
     let path = system.realised(&contradiction).expect("a sound system");
-    assert!(CertifiedFilter::new(&path, 128).next().is_some_and(|step| step.is_err()));
+    assert_eq!(first_refusal(&path), filter(&path).err().map(|error| error.source));
+}
+
+/// What ends the enclosed filter, as the exact one would say it.
+fn first_refusal(path: &Path<Rational>) -> Option<ConditionError<Rational>> {
+    match CertifiedFilter::new(path, 128).find_map(Result::err)? {
+        NotEnclosed::Contradiction(proof) => Some(ConditionError::Inconsistent(proof)),
+        NotEnclosed::Undecided(_) => None,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Sensors L (C x + v): whatever the readings are, enclosures end at the step where the exact filter ends, with its proof.
+    #[test]
+    fn contradictions_are_proved_as_exact_numbers_prove_them(
+        more in proptest::collection::vec(-2_i64..3, 4),
+        readings in proptest::collection::vec((-3_i64..4, -3_i64..4, 0_i64..8, 0_i64..8), 5),
+        arriving in any::<bool>(),
+    ) {
+        let whole = |entry: i64| Rational::from(BigInt::from(entry));
+        let identity = Matrix::<Rational>::identity(2);
+        let combination = identity.above(&Matrix::from_fn(2, 2, |i, j| whole(more[2 * i + j])));
+        let system = System {
+            timing: if arriving { Timing::Arriving } else { Timing::Departing },
+            initial: Initial::new(Before::Observation, Matrix::zeros(2, 1), identity.clone()),
+            transition: Matrix::from_fn(2, 2, |i, j| whole(i64::from(i <= j))).into(),
+            observation: combination.clone().into(),
+            noise: Noise::Covariances {
+                process: identity.into(),
+                cross: None,
+                observation: (&combination * combination.transpose()).into(),
+            },
+            input: None,
+            observation_input: None,
+        };
+        // Three quarters of them agree.
+        let observed = readings.iter().map(|&(a, b, c, d)| {
+            let wrong = [0, 0, i64::from(c == 1), i64::from(d == 1)].map(whole);
+            let all = &combination * Matrix::column(vec![whole(a), whole(b)]) + Matrix::column(wrong.to_vec());
+            Observation::complete(all.entries().to_vec())
+        });
+        let path = system.realised(&observed.collect::<Vec<_>>()).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        let (expected, steps) = match filter(&path) {
+            Ok(trace) => (None, trace.records.len()),
+            Err(error) => (Some(error.source), error.computed.len()),
+        };
+        prop_assert_eq!(first_refusal(&path), expected);
+        prop_assert_eq!(CertifiedFilter::new(&path, 128).take_while(Result::is_ok).count(), steps);
+    }
 }
 
 fn scalar(transition: &Rational, noise: [Rational; 2], readings: &[Observation<Rational>]) -> Path<Rational> {

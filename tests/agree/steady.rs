@@ -302,6 +302,59 @@ fn the_filter_comes_to_rest_there() {
     }
 }
 
+/// The digits of each covariance are those that its own intervals have, half a width as a part of a variance.
+#[test]
+fn digits_are_those_of_each_covariance() {
+    let mut seen = [0; 3];
+    for seed in 300..400 {
+        let mut draw = Draw(seed);
+        let step = draw.step(4);
+        let effort = SteadyEffort { digits: 1, most_bits: 64 + 16 * (seed % 4), ..SteadyEffort::default() };
+        let Ok(state) = SteadyState::of(&step, effort) else { continue };
+        let of = |digits: Option<u32>, vanishing: &[usize], matrix: &Matrix<Interval>| {
+            for i in (0..matrix.rows()).filter(|i| digits != Some(0) && !vanishing.contains(i)) {
+                let [lower, upper] = ends(&matrix[(i, i)]);
+                let part = digits
+                    .map_or_else(Rational::zero, |digits| ratio(1, 10).pow(i32::try_from(digits).expect("small")));
+                assert!(&upper - &lower <= ratio(2, 1) * part * lower, "seed {seed}: {digits:?} of entry {i}");
+            }
+        };
+        of(state.digits, &state.vanishing, &state.solution);
+        of(state.digits, &[], &state.innovation_covariance);
+        of(state.filtered_digits, &state.filtered_vanishing, &state.filtered_covariance);
+        of(state.open_digits, &state.open_vanishing, &state.open_covariance);
+        for (count, digits) in seen.iter_mut().zip([state.digits, state.filtered_digits, state.open_digits]) {
+            *count += usize::from(digits.is_some());
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 40), "{seen:?}");
+}
+
+/// Two states that hardly differ, and a third that becomes the difference: S is known to twenty digits before A S Aᵀ + Q is.
+#[test]
+fn digits_of_the_open_covariance_count_where_they_are_wanted() {
+    let tiny = |power| ratio(1, 10).pow(power);
+    let mut step = UnifiedStep {
+        transition: Matrix::zeros(3, 3),
+        observation: Matrix::from_fn(2, 3, |i, j| ratio(i64::from(i == j), 1)),
+        process_noise: Matrix::from_fn(3, 3, |i, j| ratio(i64::from(i < 2 && j < 2), 1)),
+        cross_noise: Matrix::zeros(3, 2),
+        observation_noise: Matrix::identity(2).scaled(&tiny(60)),
+    };
+    (step.transition[(2, 0)], step.transition[(2, 1)]) = (ratio(1, 1), ratio(-1, 1));
+    step.process_noise[(1, 1)] = ratio(1, 1) + tiny(30);
+    step.process_noise[(2, 2)] = tiny(32);
+    let of = |open| {
+        let effort = SteadyEffort { digits: 20, filtered: false, open, ..SteadyEffort::default() };
+        SteadyState::of(&step, effort).expect("a steady state")
+    };
+    let is_enough = |digits: Option<u32>| digits.is_none_or(|digits| digits >= 20);
+    let found = of(false);
+    assert!(is_enough(found.digits) && !is_enough(found.open_digits), "{:?} {:?}", found.digits, found.open_digits);
+    let found = of(true);
+    assert!(is_enough(found.digits) && is_enough(found.open_digits), "{:?} {:?}", found.digits, found.open_digits);
+}
+
 /// A sensor that repeats another changes nothing.
 #[test]
 fn repeated_sensors_are_left_out() {

@@ -113,6 +113,21 @@ fn certificates_know_of_repeated_sensors() {
     }
 }
 
+/// The text would say one thing to those who read the first member, and another to those who read the last.
+#[test]
+fn a_certificate_whose_model_says_two_things_is_refused() {
+    let directory = Directory::new();
+    let file = directory.file("walk.json", "");
+    let walk = model(&json!([[1]]), &json!([[1]]), &json!([[1]]), &json!([[1]]));
+    let _ = feed(&["steady", "-", "--certificate", &file], &walk).quietly(0);
+    let text = std::fs::read_to_string(&file).expect("a certificate");
+    let twice = text.replacen("\"transition\":", "\"transition\":[[\"7\"]],\"transition\":", 1);
+    assert_ne!(twice, text);
+    std::fs::write(&file, twice).expect("a writable directory");
+    let ran = run(&["verify", &file]);
+    assert!(ran.code == 1 && ran.stdout.contains("`transition` stands twice"), "{ran:?}");
+}
+
 #[test]
 fn bad_documents_are_refused_with_their_place() {
     let model = |change: &dyn Fn(&mut Value)| {

@@ -104,12 +104,32 @@ fn what_is_not_decided_is_said() {
     let ran = tier(&case, "certified", &["--most-bits", "512"]);
     assert_eq!(ran.code, 3, "{}", ran.stderr);
     assert_eq!(ran.stdout.matches(" · step ").count(), 1, "{}", ran.stdout);
-    let begin = "long: at step 1 the start is diffuse, the covariance of the innovation singular or too near to it, or repeated sensors contradict each other: enclosures of 512 bits";
+    let begin = "long: at step 1 the start is diffuse, or the covariance of the innovation singular or too near to it: enclosures of 512 bits";
     assert!(ran.stderr.starts_with(begin) && ran.stderr.contains("--tier auto"), "{}", ran.stderr);
     let json = tier(&case, "certified", &["--most-bits", "512", "--format", "json"]);
     let answer: Value = serde_json::from_str(&json.stdout).expect("it is JSON");
     assert_eq!((&answer["outcome"], &answer["step"]), (&"error".into(), &1.into()));
     assert_eq!(tier(&case, "auto", &[]).quietly(0), tier(&case, "exact", &[]).quietly(0));
+}
+
+/// Two sensors that are one: what contradicts needs no exact number, and is told as exact numbers tell it.
+#[test]
+fn sensors_that_contradict_each_other_are_told() {
+    let case = r#"{"format":"exact-kalman/case/1","id":"twins","timing":"departing","numbers":"exact","initial":{"before":"observation","mean":["0"],"covariance":[["1"]]},"transition":[["0.9"]],"observation":[["1"],["2"]],"noise":{"process":[["1"]],"observation":[["0.5","1"],["1","2"]]},"observations":[["1","2"],["3","6"],["2","5"],["1","2"]]}"#;
+    let exact = tier(case, "exact", &[]);
+    assert!(
+        exact.code == 1 && exact.stderr.starts_with("twins: at step 2 the data have probability zero"),
+        "{}",
+        exact.stderr
+    );
+    for name in ["auto", "certified"] {
+        let ran = tier(case, name, &[]);
+        assert_eq!((ran.code, &ran.stdout, &ran.stderr), (1, &exact.stdout, &exact.stderr), "{name}");
+    }
+    let ran = feed(&["solve", "-", "--certificate", "-"], case);
+    assert_eq!((ran.code, ran.stdout.as_str()), (1, ""), "{}", ran.stderr);
+    let begin = "twins: no certificate is written: at step 2 the data have probability zero";
+    assert!(ran.stderr.starts_with(begin), "{}", ran.stderr);
 }
 
 /// Zeros and ties are told with a bound, or, in JSON, left out; exact numbers decide them.

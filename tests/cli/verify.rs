@@ -258,3 +258,19 @@ fn names_are_printed_on_one_line() {
     let first = out.lines().next().unwrap_or_default();
     assert!(first.contains("b: verified") && !out.contains('\u{1b}'), "{out}");
 }
+
+/// A short text that would take gigabytes is refused before it does.
+#[test]
+fn a_case_that_asks_for_too_much_is_refused() {
+    let n = 60;
+    let unit: Vec<Vec<&str>> = (0..n).map(|i| (0..n).map(|j| if i == j { "1" } else { "0" }).collect()).collect();
+    let triangle = serde_json::json!({"exponent": 0, "rows": (0..n).map(|i| vec!["0"; i + 1]).collect::<Vec<_>>()});
+    let case = serde_json::json!({"format": "exact-kalman/case/1", "id": "long", "timing": "departing",
+        "initial": {"before": "observation", "mean": vec!["0"; n], "covariance": unit}, "transition": unit,
+        "observation": [vec!["1"; n]], "noise": {"process": unit, "observation": [["1"]]}, "observations": vec![[()]; 5000]});
+    let start = serde_json::json!({"covariance": triangle, "gap": triangle,
+        "mean": {"exponent": 0, "rows": vec![["0"]; n]}, "ellipsoid": triangle});
+    let header = serde_json::json!({"certificate": "exact-kalman filter 1", "case": case, "start": start}).to_string();
+    let ran = feed(&["verify", "-"], &format!("{header}\n"));
+    assert!(ran.code == 1 && ran.stdout.contains("size: the case inside has 5000 steps of 60 states"), "{ran:?}");
+}

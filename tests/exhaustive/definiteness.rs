@@ -65,7 +65,7 @@ fn verdicts_on_all_small_symmetric_matrices() {
     assert!(counts[1] > 300, "{counts:?}");
 }
 
-/// Every positive semidefinite matrix of order 3 is some L Lᵀ: here are all with L of signs, and what is below them.
+/// L Lᵀ for all L of one or two columns of signs, and what is below them.
 #[test]
 fn verdicts_on_gram_matrices_and_just_below() {
     let mut counts = [0; 2];
@@ -74,7 +74,7 @@ fn verdicts_on_gram_matrices_and_just_below() {
             let p = &factor * factor.transpose();
             assert!(checked(&p));
             counts[1] += 1;
-            // Singular since it has fewer columns than rows: less of any entry of the diagonal may leave the cone.
+            // Singular, as L has fewer columns than rows: often outside if an entry of the diagonal is less.
             let mut below = p;
             below[(1, 1)] = below[(1, 1)].minus(&ratio(1, 3));
             counts[0] += usize::from(!checked(&below));
@@ -97,7 +97,7 @@ fn asymmetry_is_found_where_it_is() {
     assert_eq!(count, 19_683 - 729);
 }
 
-/// AK-Order: F ≥ G iff all principal minors of F − G are nonnegative; it is antisymmetric.
+/// AK-Order: F ≥ G iff all principal minors of F − G are nonnegative, else some vᵀ(F − G)v < 0; it is antisymmetric.
 ///
 /// Domain: all pairs of symmetric 2×2 matrices over {−2, …, 2}.
 #[test]
@@ -106,8 +106,13 @@ fn loewner_order_is_that_of_the_difference() {
     let mut counts = [0; 2];
     for a in &world {
         for b in &world {
-            let below = a.loewner_le(b).is_ok();
+            let verdict = a.loewner_le(b);
+            let below = verdict.is_ok();
             assert_eq!(below, is_semidefinite(&(b - a)), "{a} and {b}");
+            if let Err(error) = verdict {
+                let LdlError::Indefinite(proof) = error else { panic!("{a} and {b} are symmetric") };
+                assert!(value(&(b - a), &proof.witness) < ratio(0, 1), "{a} and {b}: {proof:?}");
+            }
             assert!(!(below && b.loewner_le(a).is_ok()) || a == b, "the order is antisymmetric");
             counts[usize::from(below)] += 1;
         }

@@ -110,7 +110,9 @@ fn census(timing: Timing) -> [usize; 3] {
                     }
                     Ok(trace) => {
                         assert!(s != 0 || nu == 0, "{trace:?} has probability zero");
-                        let record = &trace.records[0];
+                        let [record] = &trace.records[..] else { panic!("one reading") };
+                        assert!(is_updated(&record.predicted, x, p, [0, 0], 0, 0), "{record:?}");
+                        assert_eq!(record.innovation[(0, 0)], ratio(nu, 1));
                         assert_eq!(record.innovation_covariance[(0, 0)], ratio(s, 1));
                         let gain = |i: usize| if s == 0 { ratio(0, 1) } else { ratio(gamma[i], s) };
                         assert!((0..2).all(|i| record.gain[(i, 0)] == gain(i)), "{record:?}");

@@ -1,7 +1,7 @@
 //! Small worlds, exhausted: every matrix of a small size over {−2, …, 2} or a small field.
 //!
-//! Expectations come from minors (Laplace's expansion), adjugates and enumeration, never from the crate's own
-//! elimination; every test counts what it covered.
+//! Expectations come from minors (Laplace's expansion), adjugates, enumeration and machine integers, never from the crate's own
+//! elimination; a test with a domain counts what it covered.
 
 mod conditioning;
 mod definiteness;

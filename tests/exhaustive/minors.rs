@@ -53,8 +53,32 @@ pub fn adjugate<S: Scalar>(a: &Matrix<S>) -> Matrix<S> {
     })
 }
 
-/// The generalised Schur complement `A − B D⁻ Bᵀ` of a symmetric matrix [[A, B], [Bᵀ, D]] by quotients of minors:
-/// det [[aᵢⱼ, bᵢ], [bⱼᵀ, D]] / det D, D cut down to rows and columns that are independent and as many as its rank.
+/// The inverse by the adjugate.
+pub fn inverse<S: Field>(a: &Matrix<S>) -> Matrix<S> {
+    let determinant = determinant(a);
+    adjugate(a).map(|entry| entry.over(&determinant).unwrap_or_else(|_| panic!("{a:?} is singular")))
+}
+
+/// The pseudo-inverse of a matrix with at most two rows or columns, by a formula for each rank.
+pub fn pseudo_inverse<S: OrderedField>(p: &Matrix<S>) -> Matrix<S> {
+    let transposed = p.transpose();
+    match rank(p) {
+        0 => transposed,
+        1 => {
+            let squares = p.entries().iter().fold(S::zero(), |sum, entry| sum.plus(&entry.times(entry)));
+            transposed.map(|entry| entry.over(&squares).unwrap_or_else(|_| panic!("{p:?} is not zero")))
+        }
+        r if r == p.rows() => &transposed * inverse(&(p * &transposed)),
+        r => {
+            assert_eq!(r, p.columns(), "a formula is missing");
+            inverse(&(&transposed * p)) * transposed
+        }
+    }
+}
+
+/// The generalised Schur complement `A − B D⁻ C` of a matrix [[A, B], [C, D]] with a symmetric D, the rows of C and the columns of B in
+/// the range of D, by quotients of minors: det [[aᵢⱼ, bᵢ], [cⱼ, D]] / det D, D cut down to rows and columns that are
+/// independent and as many as its rank.
 pub fn schur_complement<S: Field>(whole: &Matrix<S>, kept: &[usize], removed: &[usize]) -> Matrix<S> {
     let parts = (0..=removed.len()).rev().flat_map(|count| choices(removed.len(), count));
     let mut regular = parts.filter_map(|choice| {
@@ -78,4 +102,17 @@ fn the_expansion_knows_a_determinant_by_heart() {
     assert_eq!(determinant(&a), ratio(49, 1));
     assert_eq!(&a * adjugate(&a), Matrix::identity(3).scaled(&ratio(49, 1)));
     assert_eq!(choices(4, 2).len(), 6);
+}
+
+#[test]
+fn schur_complements_by_hand() {
+    use exact_kalman::scalar::{Rational, ratio};
+    let p = Matrix::<Rational>::from_integers(&[[2, 1, 0], [1, 2, 1], [0, 1, 2]]);
+    // 2 − 1·(1/2)·1, and 0 − 1·(1/2)·1 off the diagonal.
+    let expected = Matrix::from_rows(vec![vec![ratio(3, 2), ratio(-1, 2)], vec![ratio(-1, 2), ratio(3, 2)]]);
+    assert_eq!(Ok(schur_complement(&p, &[0, 2], &[1])), expected);
+    // D = (1, 1; 1, 1): either reading serves. 1 − 1·1·1.
+    let ones = Matrix::<Rational>::from_integers(&[[1, 1, 1], [1, 1, 1], [1, 1, 1]]);
+    assert_eq!(schur_complement(&ones, &[0], &[1, 2]), Matrix::zeros(1, 1));
+    assert_eq!(pseudo_inverse(&ones.block(0..2, 0..2)), Matrix::from_fn(2, 2, |_, _| ratio(1, 4)));
 }

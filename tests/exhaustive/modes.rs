@@ -2,7 +2,7 @@
 
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
-use exact_kalman::stability::{Mode, ModeProcess, Window};
+use exact_kalman::stability::{Mode, ModeProcess, Start, Window};
 
 use crate::worlds::matrices;
 
@@ -53,7 +53,7 @@ fn sees(
     follows[mode].iter().all(|&mode| sees(pair, follows, mode, left - 1, next, gramian))
 }
 
-/// WG-A1: the smallest h is that of all determinants; where none is found up to six steps there is none.
+/// WG-A1: the smallest h is that of all determinants; where none is found up to six steps there is none. What proves it holds.
 ///
 /// Domain: all pairs of modes with F 2×2 and H 1×2 over {0, 1}, free to follow each other, alternating, or one of them lasting.
 #[test]
@@ -73,7 +73,17 @@ fn smallest_windows_of_pairs_of_modes() {
                 let transition = Matrix::from_fn(2, 2, |i, j| rows[i][j].clone());
                 let process = ModeProcess::markov(vec![one.clone(), other.clone()], initial.clone(), transition)
                     .expect("probabilities");
-                let found = process.smallest_window(Window::Shifted, 1000).expect("few subspaces").length();
+                let windows = process.smallest_window(Window::Shifted, 1000).expect("few subspaces");
+                let found = windows.length();
+                let proved = windows.starts.iter().all(|(_, start)| match start {
+                    Start::Observable { length, shorter } => {
+                        // A path of one mode less, if that is any.
+                        shorter.as_ref().map_or(0, |path| path.modes.len()) == length - 1
+                            && shorter.as_ref().is_none_or(|path| path.is_valid_for(&process))
+                    }
+                    Start::Never(path) => path.is_valid_for(&process),
+                });
+                assert!(proved, "{windows:?}");
                 let expected = smallest([(*first, *h_first), (*second, *h_second)], begins, follows);
                 assert_eq!(found, expected, "{process:?}");
                 count[found.unwrap_or(0)] += 1;

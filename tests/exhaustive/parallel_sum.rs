@@ -1,25 +1,12 @@
 //! Lemma 4.1 on small integer positive semidefinite matrices, singular ones above all, and the formula modulo primes.
 
-use exact_kalman::matrix::Matrix;
+use exact_kalman::matrix::{Matrix, PseudoInverseError};
 use exact_kalman::scalar::{Field, Rational, Residue, ratio};
 
-use crate::minors::{adjugate, determinant, is_semidefinite, rank, schur_complement};
-use crate::worlds::{covariances, matrices, residues, signs, symmetric};
+use crate::minors::{determinant, inverse, is_semidefinite, pseudo_inverse, rank, schur_complement};
+use crate::worlds::{covariances, residues, symmetric};
 
 type Q = Matrix<Rational>;
-
-/// The pseudo-inverse of a semidefinite matrix of order 2: by the adjugate if it is regular, P/(tr P)² if its rank is one.
-pub fn pseudo_inverse(p: &Q) -> Q {
-    let (determinant, trace) = (determinant(p), &p[(0, 0)] + &p[(1, 1)]);
-    let zero = ratio(0, 1);
-    if determinant != zero {
-        adjugate(p).scaled(&determinant.recip())
-    } else if trace != zero {
-        p.scaled(&(&trace * &trace).recip())
-    } else {
-        Matrix::zeros(2, 2)
-    }
-}
 
 fn sum(f: &Q, g: &Q) -> Q {
     f.parallel_sum(g).unwrap_or_else(|error| panic!("{f} and {g}: {error}"))
@@ -35,17 +22,17 @@ fn parallel_sums_of_all_pairs() {
     for f in &world {
         for g in &world {
             let (found, total) = (sum(f, g), f + g);
-            let inverse = pseudo_inverse(&total);
-            assert_eq!(found, f * &inverse * g, "{f} and {g}");
-            assert_eq!(found, g * &inverse * f);
-            assert_eq!(found, f - f * &inverse * f);
-            assert_eq!(found, g - g * &inverse * g);
+            let middle = pseudo_inverse(&total);
+            assert_eq!(found, f * &middle * g, "{f} and {g}");
+            assert_eq!(found, g * &middle * f);
+            assert_eq!(found, f - f * &middle * f);
+            assert_eq!(found, g - g * &middle * g);
             assert!(is_semidefinite(&found) && is_semidefinite(&(f - &found)) && is_semidefinite(&(g - &found)));
             // The kernel of F:G is ker F + ker G: its range is the common part of both ranges.
             let common = rank(f) + rank(g) - rank(&f.beside(g));
             assert_eq!(rank(&found), common, "{f} and {g}");
             if rank(f) == 2 && rank(g) == 2 {
-                let [f, g] = [f, g].map(|p| adjugate(p).scaled(&determinant(p).recip()));
+                let [f, g] = [f, g].map(inverse);
                 assert_eq!(found * (f + g), Matrix::identity(2));
             }
             counts[rank(&total)] += 1;
@@ -78,14 +65,10 @@ fn parallel_sums_are_monotone_on_all_triples() {
 /// AK-Par, AK-L4.1ii, AK-L4.1iv: F:G is the Schur complement of F + G in [[F, F], [F, F + G]], entry by entry a quotient of
 /// minors, also where F + G is singular.
 ///
-/// Domain: all pairs of positive semidefinite 3×3 matrices over {−1, 0, 1} or of the form LLᵀ, L of size 3×1 over {−1, 0, 1}.
+/// Domain: all pairs of positive semidefinite 3×3 matrices over {−1, 0, 1}.
 #[test]
 fn parallel_sums_of_order_three_are_schur_complements() {
-    let signs = signs();
-    let grams = matrices(3, 1, &signs).map(|factor| &factor * factor.transpose());
-    let mut world: Vec<Q> = covariances(3, 1).into_iter().chain(grams).collect();
-    world.sort_by_key(|p| p.entries().to_vec());
-    world.dedup();
+    let world = covariances(3, 1);
     let mut counts = [0; 4];
     for f in &world {
         for g in &world {
@@ -98,8 +81,7 @@ fn parallel_sums_of_order_three_are_schur_complements() {
             counts[rank(&total)] += 1;
         }
     }
-    println!("{} {counts:?}", world.len());
-    assert_eq!(counts.iter().sum::<usize>(), world.len() * world.len());
+    assert_eq!(counts.iter().sum::<usize>(), 24 * 24);
     assert!(counts[1] > 10 && counts[2] > 200 && counts[3] > 200, "{counts:?}");
 }
 
@@ -116,7 +98,7 @@ fn parallel_sums_move_no_farther_than_their_modulus() {
             counts[0] += 1;
             continue;
         }
-        let inverse = adjugate(&total).scaled(&determinant(&total).recip());
+        let inverse = inverse(&total);
         let (left, right) = (&inverse * f, &inverse * g);
         let modulus = left.transpose() * &left + right.transpose() * &right;
         for epsilon in [1, 8, 64].map(|parts| ratio(1, parts)) {
@@ -152,7 +134,7 @@ fn modulo<const P: u64>() -> [usize; 3] {
                 }
                 counts[1 + usize::from(regular)] += 1;
             }
-            (Err(_), None) => counts[0] += 1,
+            (Err(PseudoInverseError::DoesNotExist { .. }), None) => counts[0] += 1,
             (found, inverse) => panic!("{f:?} and {g:?}: {found:?}, but {inverse:?}"),
         }
     }

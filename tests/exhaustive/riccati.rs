@@ -4,8 +4,7 @@ use exact_kalman::matrix::Matrix;
 use exact_kalman::riccati::RiccatiMap;
 use exact_kalman::scalar::Rational;
 
-use crate::minors::{is_semidefinite, rank, schur_complement};
-use crate::parallel_sum::pseudo_inverse;
+use crate::minors::{is_semidefinite, pseudo_inverse, rank, schur_complement};
 use crate::worlds::{covariances, matrices, signs};
 
 type Q = Matrix<Rational>;

@@ -1,4 +1,5 @@
-//! The laws of fields on every scalar of the house, by quickcheck.
+//! The laws of fields on the rationals and on residues, of rings on the integers, by quickcheck. (Those of rational functions are in
+//! `tests/prove/scalar.rs`.)
 //!
 //! A new scalar is one line in `every_scalar_obeys_the_laws`: its type, and how it is made of four small integers.
 

@@ -6,6 +6,7 @@
 # Exit 0 if every mistake was caught, 1 if one survived, no longer applies or does not compile.
 # Compiled files are kept in CARGO_TARGET_DIR (by default a directory under the temporary one) for all of them.
 set -eu
+case "${1-}" in -*) sed -n '2,/^set /{/^set /!s/^# \{0,1\}//p;}' "$0"; exit 2 ;; esac
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 [ $# -gt 0 ] || set -- "$here"/*.patch

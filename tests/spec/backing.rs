@@ -56,9 +56,10 @@ pub fn backings(sources: &Sources) -> Result<Backings, String> {
     for identity in exact_kalman::prove::catalogue() {
         let ids = identity.identifiers.iter().map(ToString::to_string).collect();
         let sizes: Vec<String> = identity.symbolic.iter().map(ToString::to_string).collect();
-        add(&ids, Backing::Symbolic, identity.name, &sizes.join(" · "));
+        let (name, hypothesis) = (identity.name, identity.hypothesis);
+        add(&ids, Backing::Symbolic, name, &format!("where {hypothesis}: {}", sizes.join(" · ")));
         if let Some(largest) = identity.random.last() {
-            add(&ids, Backing::RandomPoints, identity.name, &format!("up to {largest}"));
+            add(&ids, Backing::RandomPoints, name, &format!("where {hypothesis}: up to {largest}"));
         }
     }
     Ok(found)

@@ -1,7 +1,7 @@
 //! The room `matrix`, as far as it needs no order.
 
 use exact_kalman::matrix::{Echelon, Matrix, PseudoInverseError, SolveError};
-use exact_kalman::scalar::{Field, Scalar};
+use exact_kalman::scalar::{Field, Scalar, ZeroTest};
 
 use super::ball::enclosed;
 use super::commuting::{Algorithm, Answer, Named};
@@ -61,6 +61,14 @@ algorithm!(
             .matrix(&(diagonal * &input.a))
     }
 );
+
+algorithm!(Sums, Scalar, [], |input| {
+    // Nothing follows these that would bring a number back into its form.
+    let Input { a, b, .. } = input;
+    let nothing = a - &a.clone();
+    let vanishing = nothing.entries().iter().all(|entry| entry.zero_test() == ZeroTest::Zero);
+    Answer::new().matrix(&(a + b)).matrix(&(a - b)).matrix(&-a).matrix(&nothing).matrix(&(a + -a)).says(vanishing)
+});
 
 fn echelon<S: Scalar>(matrix: &Matrix<S>, columns: usize) -> Answer<S> {
     let Ok(echelon) = Echelon::of(matrix, columns) else { return Answer::new().undecided() };
@@ -171,10 +179,10 @@ pub const COVERED: &[&[&str]] = &[
     SteinSolutions::COVERS,
 ];
 
-/// Products, traces and constants.
+/// Sums, products, traces and constants.
 #[test]
 fn arithmetic_commutes() {
-    over_fields!(Products, Traces, SymmetricPowers);
+    over_fields!(Sums, Products, Traces, SymmetricPowers);
     enclosed!(Products, Traces, SymmetricPowers);
 }
 

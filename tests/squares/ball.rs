@@ -2,7 +2,7 @@
 
 use exact_kalman::scalar::{Dyadic, Interval, Rational, Scalar, Undefined, ZeroTest};
 
-use super::commuting::{Algorithm, counted};
+use super::commuting::{Algorithm, Drawn, counted};
 use super::inputs::Input;
 
 const BITS: u64 = 200;
@@ -64,7 +64,7 @@ impl Scalar for Ball {
 pub fn is_enclosed<A: Algorithm<Rational> + Algorithm<Ball>>() {
     let what = format!("{} in enclosures", A::NAME);
     let counts = counted(&what, |tape| {
-        let input = Input::drawn(&tape, |first, _| first.clone());
+        let input = Input::drawn(&tape, Drawn::drawn);
         let balls = input.try_map(|value| Some(Ball::of(value))).expect("total");
         let enclosed = <A as Algorithm<Ball>>::run(&balls);
         if enclosed.undecided {

@@ -9,7 +9,7 @@ use exact_kalman::trace::{Moments, Record};
 
 use super::algebra::algorithm;
 use super::ball::enclosed;
-use super::commuting::{Answer, Named};
+use super::commuting::{Answer, Drawn, Named};
 use super::inputs::Input;
 use super::maps::over_fields;
 
@@ -154,7 +154,7 @@ fn timings_commute() {
 fn inputs_are_of_every_kind() {
     use exact_kalman::model::Timing;
     let share = |what: &str, is: &dyn Fn(&Input<exact_kalman::scalar::Rational>) -> bool| {
-        let counts = super::commuting::counted(what, |tape| Ok(is(&Input::drawn(&tape, |first, _| first.clone()))));
+        let counts = super::commuting::counted(what, |tape| Ok(is(&Input::drawn(&tape, Drawn::drawn))));
         assert!(counts.equal > 4 && counts.vanished > 4, "{what}: {counts:?}");
     };
     share("arriving", &|input| input.path().timing() == Timing::Arriving);

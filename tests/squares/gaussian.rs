@@ -6,9 +6,9 @@ use exact_kalman::scalar::{Field, OrderedField, Scalar};
 
 use super::algebra::algorithm;
 use super::ball::enclosed;
-use super::commuting::{Algorithm, Answer, Named};
+use super::commuting::{Algorithm, Answer, Drawn, Named};
 use super::inputs::Input;
-use super::maps::over_fields;
+use super::maps::{over_fields, over_ordered_fields};
 
 /// The law N(x, P) of an input, made by functions that every scalar has.
 fn law<S: Scalar>(input: &Input<S>) -> Gaussian<S> {
@@ -81,8 +81,8 @@ algorithm!(Independence, Field, ["gaussian::Gaussian::new", "gaussian::Gaussian:
     let joint = law.joined(&law);
     let n = input.p.rows();
     let far: Vec<usize> = (n..2 * n).collect();
-    let asymmetric = Gaussian::new(input.x.clone(), input.a.clone()).is_ok();
-    Answer::new().says(joint.are_independent(&[0], &far)).says(joint.are_independent(&[0], &[n - 1])).says(asymmetric)
+    let symmetric = Gaussian::new(input.x.clone(), input.a.clone()).is_ok();
+    Answer::new().says(joint.are_independent(&[0], &far)).says(joint.are_independent(&[0], &[n - 1])).says(symmetric)
 });
 
 fn polynomial<S: Field>(input: &Input<S>) -> Polynomial<S> {
@@ -149,14 +149,14 @@ fn gaussian_laws_commute() {
 /// Expectations need a factorisation LDLᵀ, and so an order.
 #[test]
 fn expectations_commute() {
-    super::commuting::commutes::<super::maps::Included, Expectations>();
+    over_ordered_fields!(Expectations);
 }
 
 /// Data outside the support are among the inputs, or refusals would be checked by nothing.
 #[test]
 fn data_are_refused_at_times() {
     let counts = super::commuting::counted("refused data", |tape| {
-        let input = Input::drawn(&tape, |first, _| first.clone());
+        let input = Input::<exact_kalman::scalar::Rational>::drawn(&tape, Drawn::drawn);
         Ok(<Conditioning as Algorithm<_>>::run(&input).plain[0] == 8_000)
     });
     assert!(counts.equal > 0 && counts.vanished > 0, "{counts:?}");

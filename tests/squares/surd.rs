@@ -5,6 +5,8 @@ use std::cmp::Ordering;
 use exact_kalman::scalar::{Field, OrderedField, Rational, Scalar, Undefined, ZeroTest, laws, ratio};
 use proptest::prelude::*;
 
+use super::commuting::Drawn;
+
 /// `rational + root · √2`
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Surd {
@@ -93,6 +95,12 @@ impl Scalar for Surd {
 }
 
 impl Field for Surd {}
+
+impl Drawn for Surd {
+    fn drawn(first: &Rational, second: &Rational) -> Self {
+        Self::new(first.clone(), second.clone())
+    }
+}
 
 impl OrderedField for Surd {}
 

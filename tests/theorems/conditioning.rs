@@ -1,14 +1,14 @@
 //! Lemmas 2 and 3 of Chen, Kumar and van Schuppen (those of Hilgert and Vila's appendix) on random models, and without
 //! each hypothesis.
 
-use exact_kalman::gaussian::{Gaussian, Polynomial};
+use exact_kalman::gaussian::{ConditionError, Gaussian, Polynomial};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::scalar::{Rational, ratio};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
 use super::models::{Q, is_definite, is_semidefinite, matrices, semidefinite};
-use super::search::{counterexample, holds_without};
+use super::search::{counterexample, holds_where, holds_without};
 
 /// X is the first component, Y the others.
 fn conditioned(joint: &Q) -> Option<(Q, Q, Q)> {
@@ -36,16 +36,23 @@ fn is_residual_uncorrelated(joint: &Q) -> bool {
 
 /// The covariance handed out is that of X − K Y: K is the regression, and P = cov(X − K Y).
 fn is_residual_covariance(joint: &Q) -> bool {
-    let n = joint.rows();
     conditioned(joint)
-        .is_none_or(|(gain, _, covariance)| Matrix::identity(1).beside(&-gain).congruence(joint) == covariance && n > 1)
+        .is_none_or(|(gain, _, covariance)| Matrix::identity(1).beside(&-gain).congruence(joint) == covariance)
 }
 
 proptest! {
     /// CKS-L3i, HV-L3-mean, HV-L3-cov: the residual is uncorrelated with the data, and the covariance is its own; it is never
-    /// negative and never above the prior.
+    /// negative and never above the prior. At y = E(Y) + P_yy z, which is in the support for every z, the mean is E(X) + P_xy z.
     #[test]
-    fn conditioning_is_regression(joint in semidefinite_joints()) {
+    fn conditioning_is_regression(joint in semidefinite_joints(), numbers in vec(-3_i64..4, 7)) {
+        let n = joint.rows();
+        let column = |places: std::ops::Range<usize>| Matrix::column(numbers[places].iter().map(|&x| ratio(x, 2)).collect());
+        let (mean, z) = (column(0..n), column(n..2 * n - 1));
+        let observed: Vec<usize> = (1..n).collect();
+        let values = mean.select_rows(&observed) + joint.select(&observed, &observed) * &z;
+        let law = Gaussian::new(mean.clone(), joint.clone()).expect("symmetric");
+        let found = law.conditioned(&observed, &values).expect("in the support");
+        prop_assert_eq!(found.law.mean(), &(mean.select_rows(&[0]) + joint.select(&[0], &observed) * z));
         prop_assert!(is_residual_uncorrelated(&joint) && is_residual_covariance(&joint));
         let (_, _, covariance) = conditioned(&joint).expect("over an ordered field");
         prop_assert!(is_semidefinite(&covariance));
@@ -64,21 +71,28 @@ fn conditioning_needs_a_covariance() {
     assert!(joint.block(1..n, 1..n).rank() < n - 1, "a regular S would be enough");
 }
 
-/// CKS-L3i: without data in the support there is no value; the refusal carries a proof.
+/// CKS-L3i: without data in the support there is no value; the refusal carries a direction of variance zero, along which the
+/// data differ from the mean.
 #[test]
 fn conditioning_needs_data_in_the_support() {
     let models = (1_usize..=2).prop_flat_map(|m| (semidefinite(m + 1), matrices(m, 1, 2)));
-    let (joint, data) = counterexample(models, |(joint, data)| {
+    let given = |(joint, data): &(Q, Q)| {
         let n = joint.rows();
         let law = Gaussian::new(Matrix::zeros(n, 1), joint.clone()).expect("symmetric");
-        law.conditioned(&(1..n).collect::<Vec<_>>(), data).is_ok()
-    });
+        law.conditioned(&(1..n).collect::<Vec<_>>(), data)
+    };
+    let model = counterexample(models, |model| given(model).is_ok());
+    let (joint, data) = &model;
     let n = joint.rows();
     let observed = joint.block(1..n, 1..n);
-    assert!(observed.beside(&data).rank() > observed.rank());
+    assert!(observed.beside(data).rank() > observed.rank());
+    let Err(ConditionError::Inconsistent(proof)) = given(&model) else { panic!("{joint} given {data}") };
+    assert!((observed * &proof.direction).is_zero());
+    assert_ne!(proof.direction.transpose() * data, Matrix::zeros(1, 1));
 }
 
-/// Moments up to the fourth of a + bX with b(X) = b₀ + b₁X, for X ~ N(mean, variance): E, and what makes a law Gaussian.
+/// Whether A(X)X with A(X) = fixed + slope·X, for X ~ N(mean, variance), has the mean fixed·mean and the third and fourth central
+/// moments of a Gaussian law.
 fn looks_gaussian((mean, variance, fixed, slope): (i64, i64, i64, i64)) -> bool {
     let law =
         Gaussian::new(Matrix::column(vec![ratio(mean, 1)]), Matrix::column(vec![ratio(variance, 1)])).expect("a law");
@@ -117,8 +131,7 @@ fn moments_factor(moment: impl Fn(u32, u32) -> Rational) -> bool {
 /// need not.
 #[test]
 fn independence_needs_joint_normality() {
-    let gaussian = (1_usize..=2).prop_flat_map(|_| (semidefinite(2), matrices(2, 1, 2)));
-    holds_without(gaussian, |(covariance, mean)| {
+    holds_without((semidefinite(2), matrices(2, 1, 2)), |(covariance, mean)| {
         let law = Gaussian::new(mean.clone(), covariance.clone()).expect("a law");
         let moment = |i, j| law.expectation(&Polynomial::term(ratio(1, 1), vec![i, j])).expect("semidefinite");
         moments_factor(moment) == law.are_independent(&[0], &[1])
@@ -149,7 +162,7 @@ fn pseudo_inverses_need_both_conditions() {
     let is_left_form = |p: &Q, x: &Q| p.transpose().above(x).rank() == p.rank();
     let is_inverse = |p: &Q, x: &Q| *x == p.pseudo_inverse().expect("over an ordered field");
     holds_without(inverses(), |(p, x)| *p == p * x * p);
-    holds_without(inverses(), |(p, x)| !is_right_form(p, x) || !is_left_form(p, x) || is_inverse(p, x));
+    holds_where(inverses(), |(p, x)| is_right_form(p, x) && is_left_form(p, x), |(p, x)| is_inverse(p, x));
     counterexample(inverses(), |(p, x)| is_inverse(p, x));
     let (p, x) = counterexample(inverses(), |(p, x)| !is_right_form(p, x) || is_inverse(p, x));
     assert!(!is_left_form(&p, &x));
@@ -173,7 +186,7 @@ fn the_full_rank_formula_needs_full_rank() {
     };
     let is_full = |u: &Q, v: &Q| u.rank() == u.columns() && v.rank() == v.rows();
     let is_right = |u: &Q, v: &Q| formula(u, v) == (u * v).pseudo_inverse().expect("over an ordered field");
-    holds_without(factors(), |(u, v)| !is_full(u, v) || is_right(u, v));
+    holds_where(factors(), |(u, v)| is_full(u, v), |(u, v)| is_right(u, v));
     let (u, v) = counterexample(factors(), |(u, v)| is_right(u, v));
     assert!(!is_definite(&(u.transpose() * &u)) || !is_definite(&(&v * v.transpose())));
 }

@@ -6,7 +6,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 
 use super::models::{Q, inverse, is_definite, is_semidefinite, le, matrices, scalar, semidefinite};
-use super::search::{counterexample, holds_without};
+use super::search::{counterexample, holds_where, holds_without};
 
 /// x₊ = A x + w, y = H x + v, one reading, cov(w; v) = M; and a covariance P.
 #[derive(Clone, Debug)]
@@ -100,8 +100,7 @@ fn the_bound_by_any_gain_needs_both_signs() {
     assert!(!is_semidefinite(&counterexample(with_gain(true, false), is_bound).0.p));
     assert!(!is_semidefinite(&counterexample(with_gain(false, true), is_bound).0.noise));
     // Σ > 0 is enough in place of both.
-    let is_bound_if_regular = |model: &(Step, Q)| !is_definite(&model.0.covariances()[1]) || is_bound(model);
-    holds_without(with_gain(false, false), is_bound_if_regular);
+    holds_where(with_gain(false, false), |(step, _)| is_definite(&step.covariances()[1]), is_bound);
 }
 
 /// EK-L4: φ is monotone for P, P′ ≥ 0, or Σ > 0 at both; not otherwise.
@@ -118,10 +117,7 @@ fn monotony_needs_a_sign() {
     let (step, more) = counterexample(with_more(false), is_monotone);
     let innovations = [step.covariances(), step.at(&step.p + &more).covariances()];
     assert!(!is_semidefinite(&step.p) && !innovations.iter().all(|[_, sigma]| is_definite(sigma)));
-    holds_without(with_more(false), |model| {
-        let (step, _) = model;
-        !is_definite(&step.covariances()[1]) || is_monotone(model)
-    });
+    holds_where(with_more(false), |(step, _)| is_definite(&step.covariances()[1]), is_monotone);
     // Without P ≤ P′.
     let pairs = steps(true, true).prop_flat_map(|step| {
         let n = step.states();
@@ -142,20 +138,15 @@ fn gaps_need_both_sides() {
     };
     let is_bounded = |(z, w, x): &(Q, Q, Q)| le(&z.congruence(x), &w.scaled(&(x * w).trace()));
     let below = |z: &Q, w: &Q| le(z, w);
-    holds_without(models(true), |model| {
-        let (z, w, _) = model;
-        !below(z, w) || !below(&-z, w) || is_bounded(model)
-    });
+    let is_between = |(z, w, _): &(Q, Q, Q)| below(z, w) && below(&-z, w);
+    holds_where(models(true), is_between, is_bounded);
     for sign in [1, -1] {
         let (z, w, _) = counterexample(models(true), |model| {
             !below(&model.0.scaled(&ratio(sign, 1)), &model.1) || is_bounded(model)
         });
         assert!(!below(&z.scaled(&ratio(-sign, 1)), &w));
     }
-    let (_, _, x) = counterexample(models(false), |model| {
-        let (z, w, _) = model;
-        !below(z, w) || !below(&-z, w) || is_bounded(model)
-    });
+    let (_, _, x) = counterexample(models(false), |model| !is_between(model) || is_bounded(model));
     assert!(!is_semidefinite(&x));
 }
 
@@ -187,7 +178,7 @@ fn rounding_needs_bounds_for_every_entry() {
         let d = Matrix::diagonal(&[pad(0), pad(1)]);
         le(&e, &d) && le(&-&e, &d)
     };
-    holds_without(models(), |model| !within(model, true, true) || is_bounded(model));
+    holds_where(models(), |model| within(model, true, true), is_bounded);
     counterexample(models(), |model| !within(model, true, false) || is_bounded(model));
     let (c, ..) = counterexample(models(), |model| !within(model, false, true) || is_bounded(model));
     assert_ne!(c[1], c[2]);
@@ -221,7 +212,7 @@ fn regular_innovations_need_a_positive_rest() {
         let kappa = kappa(model, with_gap);
         kappa <= ratio(0, 1) || claim(model, &kappa, stretch)
     };
-    holds_without(regular(), |model| if_positive(model, true, 1));
+    holds_where(regular(), |model| kappa(model, true) > ratio(0, 1), |model| claim(model, &kappa(model, true), 1));
     counterexample(regular(), |model| if_positive(model, false, 1));
     counterexample(regular(), |model| if_positive(model, true, 9));
     let model = counterexample(regular(), |model| claim(model, &kappa(model, true), 1));
@@ -274,27 +265,36 @@ fn modes_stay_if_they_are_unseen_and_unstable() {
 /// A = λ + yh, cov(w; v) = R (y, 1)(y, 1)ᵀ + E: noise that is the reading's own, and more by E; a scalar state and a P.
 type Reached = (i64, i64, i64, i64, i64, Rational);
 
-/// Whether P solves the equation with Σ > 0 and a stable loop.
-fn is_stabilising(&(lambda, y, h, r, more, ref p): &Reached) -> bool {
+fn reached(&(lambda, y, h, r, more, ref p): &Reached) -> Step {
     let noise = Matrix::<Rational>::from_integers(&[[r * y * y + more, r * y], [r * y, r]]);
-    let step =
-        Step { a: scalar(ratio(lambda, 2) + ratio(y * h, 1)), h: scalar(ratio(h, 1)), noise, p: scalar(p.clone()) };
-    let [_, sigma] = step.covariances();
-    is_definite(&sigma) && step.map() == step.p && (&step.a - step.gain() * &step.h).spectral_radius_lt(&ratio(1, 1))
+    Step { a: scalar(ratio(lambda, 2) + ratio(y * h, 1)), h: scalar(ratio(h, 1)), noise, p: scalar(p.clone()) }
 }
 
-/// EK-T7b: with a mode on the circle that no noise reaches no solution has a stable loop; off the circle, and with noise, one may.
+/// Whether P solves the equation with Σ > 0.
+fn is_solution(model: &Reached) -> bool {
+    let step = reached(model);
+    is_definite(&step.covariances()[1]) && step.map() == step.p
+}
+
+/// Whether its loop is not stable.
+fn is_unstable(model: &Reached) -> bool {
+    let step = reached(model);
+    !(&step.a - step.gain() * &step.h).spectral_radius_lt(&ratio(1, 1))
+}
+
+/// EK-T7b: with a mode on the circle that no noise reaches no solution of the scalar equation has a stable loop; off the circle, and
+/// with noise, one may.
 #[test]
 fn modes_on_the_circle_stay_without_noise() {
     let models = |on_circle: bool, more: std::ops::Range<i64>| {
         let lambda = if on_circle { prop_oneof![Just(2_i64), Just(-2)].boxed() } else { (-6_i64..7).boxed() };
         (lambda, -2_i64..3, -2_i64..3, 0_i64..4, more, (-12_i64..30, 1_i64..5).prop_map(|(a, b)| ratio(a, b)))
     };
-    let is_unstable = |model: &Reached| !is_stabilising(model);
-    holds_without(models(true, 0..1), is_unstable);
-    let (lambda, ..) = counterexample(models(false, 0..1), is_unstable);
+    let stays = |model: &Reached| !is_solution(model) || is_unstable(model);
+    holds_where(models(true, 0..1), is_solution, is_unstable);
+    let (lambda, ..) = counterexample(models(false, 0..1), stays);
     assert_ne!(lambda.abs(), 2);
-    let (lambda, _, _, _, more, p) = counterexample(models(true, 0..8), is_unstable);
+    let (lambda, _, _, _, more, p) = counterexample(models(true, 0..8), stays);
     assert!(lambda.abs() == 2 && more > 0 && p > ratio(0, 1));
 }
 
@@ -315,7 +315,7 @@ fn sets_that_are_not_mapped_into_themselves_hold_no_fixed_point() {
         let [low, high] = ends(s, e);
         (low < ratio(0, 1) || value(&low) <= ratio(0, 1)) && value(&high) >= ratio(0, 1)
     };
-    holds_without(models.clone(), |&(v, s, e)| !is_mapped(v, s, e) || holds_one(v, s, e));
+    holds_where(models.clone(), |&(v, s, e)| is_mapped(v, s, e), |&(v, s, e)| holds_one(v, s, e));
     let (v, s, e) = counterexample(models, |&(v, s, e)| holds_one(v, s, e));
     assert!(!is_mapped(v, s, e));
 }

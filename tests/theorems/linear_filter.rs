@@ -1,121 +1,155 @@
-//! The Theorem of Chen, Kumar and van Schuppen (and that of Hilgert and Vila one step ahead) on scalar models of two steps, with
-//! its hypotheses on the noise dropped one by one.
+//! The Theorem of Chen, Kumar and van Schuppen, and that of Hilgert and Vila one step ahead, on scalar models of two readings, with
+//! the hypotheses on the noise dropped one by one.
 //!
 //! The truth is the joint law of everything, conditioned once by a formula written here; the filter is told the second moments
 //! that it asks for, and nothing of what it supposes away.
 
 use exact_kalman::filter::filter;
 use exact_kalman::matrix::Matrix;
-use exact_kalman::model::{Before, Initial, Noise, Observation, System, Timing};
+use exact_kalman::model::{Before, Coefficient, Initial, Noise, Observation, System, Timing};
 use exact_kalman::scalar::{Rational, ratio};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
 use super::models::{Q, scalar};
-use super::search::{counterexample, holds_without};
+use super::search::{counterexample, holds_where, holds_without};
 
-/// x₁ = a x₀ + w, y₀ = x₀ + v₀, y₁ = x₁ + v₁; sources (x₀, v₀, w, v₁) = L·(independent standard ones).
+/// Arriving: x₁ = a x₀ + w₁, y₁ = x₁ + v₁, x₂ = a x₁ + w₂, y₂ = x₂ + v₂, of the sources (x₀, w₁, v₁, w₂, v₂).
+/// Departing: y₀ = x₀ + v₀, x₁ = a x₀ + w, y₁ = x₁ + v₁, of the sources (x₀, w, v₀, v₁).
 #[derive(Clone, Debug)]
 struct Model {
+    timing: Timing,
     a: i64,
-    /// Row by row: the factor of the covariance of (x₀, v₀, w, v₁).
-    factor: Vec<i64>,
+    /// The sources are this matrix times independent standard ones.
+    factor: Q,
 }
 
-/// Which covariances of sources may differ from zero, besides cov(w, v₀), which the departing filter knows.
+/// Which covariances of sources may differ from zero, besides those of a transition and its own reading, which the filter knows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Dropped {
     Nothing,
-    /// x₀ and v₀ share noise.
+    /// The noise of the first reading shares a source with x₀.
     StartIsIndependent,
-    /// v₀ and v₁ share noise.
+    /// The noise of the second reading shares a source with that of the first.
     NoiseIsWhite,
 }
 
-fn models(dropped: Dropped) -> impl Strategy<Value = Model> {
-    (-2_i64..3, vec(-2_i64..3, 16)).prop_map(move |(a, mut factor)| {
-        // Columns are the independent sources; these rows have which of them?
-        let allowed = |row: usize, column: usize| match (row, column) {
-            (0, 0) | (1, 1) | (2, 1 | 2) | (3, 3) => true,
-            (1, 0) => dropped == Dropped::StartIsIndependent,
-            (3, 1) => dropped == Dropped::NoiseIsWhite,
-            _ => false,
-        };
-        for row in 0..4 {
-            for column in 0..4 {
-                if !allowed(row, column) {
-                    factor[4 * row + column] = 0;
-                }
-            }
-        }
-        Model { a, factor }
+fn size(timing: Timing) -> usize {
+    match timing {
+        Timing::Arriving => 5,
+        Timing::Departing => 4,
+    }
+}
+
+/// The row of the noise of the second reading.
+fn last(timing: Timing) -> usize {
+    size(timing) - 1
+}
+
+fn models(timing: Timing, dropped: Dropped) -> impl Strategy<Value = Model> {
+    let n = size(timing);
+    // Row 1 is the noise of a transition, row 2 that of its reading.
+    let allowed = move |row: usize, column: usize| {
+        row == column
+            || (row, column) == (2, 1)
+            || ((row, column) == (4, 3))
+            || (dropped == Dropped::StartIsIndependent && (row, column) == (2, 0))
+            || (dropped == Dropped::NoiseIsWhite && (row, column) == (last(timing), 2))
+    };
+    (-2_i64..3, vec(-2_i64..3, n * n)).prop_map(move |(a, entries)| {
+        let entry = |i: usize, j: usize| if allowed(i, j) { entries[n * i + j] } else { 0 };
+        Model { timing, a, factor: Matrix::from_fn(n, n, |i, j| ratio(entry(i, j), 1)) }
     })
 }
 
+/// The mean and the variance of the last state given the first reading, and given both.
+type Laws = [(Rational, Rational); 2];
+
 impl Model {
     fn covariance(&self) -> Q {
-        let factor = Matrix::from_fn(4, 4, |i, j| ratio(self.factor[4 * i + j], 1));
-        &factor * factor.transpose()
+        &self.factor * self.factor.transpose()
     }
 
-    /// var(x₁ | y₀, y₁) and the weights of y₀ and y₁ in its mean, from the joint law of (x₁, y₀, y₁).
-    fn truth(&self) -> Option<(Rational, Q)> {
+    /// From the joint law of the last state and both readings, where their covariance is regular.
+    fn truth(&self, y: [i64; 2]) -> Option<Laws> {
         let a = self.a;
-        let image = Matrix::<Rational>::from_integers(&[[a, 0, 1, 0], [1, 1, 0, 0], [a, 0, 1, 1]]);
-        let joint = image.congruence(&self.covariance());
-        let weights = joint.block(0..1, 1..3) * joint.block(1..3, 1..3).inverse().ok()?;
-        let explained = (&weights * joint.block(1..3, 0..1))[(0, 0)].clone();
-        Some((&joint[(0, 0)] - explained, weights))
+        let image = match self.timing {
+            Timing::Arriving => Matrix::from_integers(&[[a * a, a, 0, 1, 0], [a, 1, 1, 0, 0], [a * a, a, 0, 1, 1]]),
+            Timing::Departing => Matrix::from_integers(&[[a, 1, 0, 0], [1, 0, 1, 0], [a, 1, 0, 1]]),
+        };
+        let joint: Q = Matrix::congruence(&image, &self.covariance());
+        let given = |count: usize| {
+            let weights = joint.block(0..1, 1..1 + count) * joint.block(1..1 + count, 1..1 + count).inverse().ok()?;
+            let data = Matrix::column(y[..count].iter().map(|&y| ratio(y, 1)).collect());
+            let explained = &weights * joint.block(1..1 + count, 0..1);
+            Some(((weights * data)[(0, 0)].clone(), &joint[(0, 0)] - &explained[(0, 0)]))
+        };
+        Some([given(1)?, given(2)?])
     }
 
-    /// The same by the filter, which is told P₀, Q, R and cov(w, v₀), and sees y = (y₀, y₁).
-    fn filtered(&self, y: [i64; 2]) -> Option<(Rational, Rational)> {
+    /// The same by the filter, which is told P₀, Q, R and the covariances of a transition and its reading; nothing if it refuses.
+    fn filtered(&self, y: [i64; 2]) -> Option<Laws> {
         let all = self.covariance();
         let entry = |i: usize, j: usize| scalar(all[(i, j)].clone());
-        let per_step = |values: [Q; 2]| exact_kalman::model::Coefficient::per_step(values);
+        let zero = || scalar(ratio(0, 1));
+        // No transition departs after the last reading.
+        let (before, process, cross, observation) = match self.timing {
+            Timing::Arriving => {
+                (Before::Transition, [entry(1, 1), entry(3, 3)], [entry(1, 2), entry(3, 4)], [entry(2, 2), entry(4, 4)])
+            }
+            Timing::Departing => {
+                (Before::Observation, [entry(1, 1), zero()], [entry(1, 2), zero()], [entry(2, 2), entry(3, 3)])
+            }
+        };
         let system = System {
-            timing: Timing::Departing,
-            initial: Initial::new(Before::Observation, scalar(ratio(0, 1)), entry(0, 0)),
+            timing: self.timing,
+            initial: Initial::new(before, zero(), entry(0, 0)),
             transition: scalar(ratio(self.a, 1)).into(),
             observation: scalar(ratio(1, 1)).into(),
             noise: Noise::Covariances {
-                process: per_step([entry(2, 2), scalar(ratio(0, 1))]),
-                cross: Some(per_step([entry(2, 1), scalar(ratio(0, 1))])),
-                observation: per_step([entry(1, 1), entry(3, 3)]),
+                process: Coefficient::per_step(process),
+                cross: Some(Coefficient::per_step(cross)),
+                observation: Coefficient::per_step(observation),
             },
             input: None,
             observation_input: None,
         };
         let data = y.map(|value| Observation::complete([ratio(value, 1)]));
-        let trace = filter(&system.realised(&data).ok()?).ok()?;
-        let last = &trace.records.last()?.filtered;
-        Some((last.covariance[(0, 0)].clone(), last.mean[(0, 0)].clone()))
+        let trace = filter(&system.realised(&data).expect("the second moments of a model")).ok()?;
+        let record = trace.records.last().expect("two readings");
+        let of =
+            |law: &exact_kalman::trace::Moments<Rational>| (law.mean[(0, 0)].clone(), law.covariance[(0, 0)].clone());
+        Some([of(&record.predicted), of(&record.filtered)])
     }
+}
+
+/// Any readings are possible.
+fn is_regular(model: &Model) -> bool {
+    model.truth([0, 0]).is_some()
 }
 
 fn is_right(model: &Model) -> bool {
-    let Some((variance, weights)) = model.truth() else { return true };
-    [[1, 0], [0, 1], [3, -2]].iter().all(|&y| {
-        let Some((found, mean)) = model.filtered(y) else { return true };
-        let expected = (&weights * Matrix::from_integers(&[[y[0]], [y[1]]]))[(0, 0)].clone();
-        found == variance && mean == expected
-    })
+    [[1, 0], [0, 1], [3, -2]].iter().all(|&y| model.filtered(y) == model.truth(y))
 }
 
-proptest! {
-    /// CKS-T, HV-T1: with white noise and a start independent of it the filter has the law given the data.
-    #[test]
-    fn the_filter_has_the_conditional_law(model in models(Dropped::Nothing)) {
-        prop_assert!(is_right(&model));
+/// CKS-T, HV-T1: with white noise and a start independent of it the filter has the law of the state given the readings, and the
+/// law one step ahead, in both timings.
+#[test]
+fn the_filter_has_the_conditional_law() {
+    for timing in [Timing::Arriving, Timing::Departing] {
+        holds_where(models(timing, Dropped::Nothing), is_regular, is_right);
     }
 }
 
-/// CKS-T, HV-T1: without white noise, and without a start that is independent of it, the filter is wrong.
+/// CKS-T, HV-T1: without white noise, and without a start that is independent of it, the filter answers, and is wrong.
 #[test]
 fn the_filter_needs_white_noise_and_an_independent_start() {
-    for (dropped, row, column) in [(Dropped::StartIsIndependent, 1, 0), (Dropped::NoiseIsWhite, 3, 1)] {
-        let model = counterexample(models(dropped), is_right);
-        assert_ne!(model.factor[4 * row + column], 0, "{model:?}");
+    for timing in [Timing::Arriving, Timing::Departing] {
+        for (dropped, row, column) in [(Dropped::StartIsIndependent, 2, 0), (Dropped::NoiseIsWhite, last(timing), 2)] {
+            let model = counterexample(models(timing, dropped), |model| !is_regular(model) || is_right(model));
+            assert_ne!(model.factor[(row, column)], ratio(0, 1), "{model:?}");
+            assert!(model.filtered([0, 1]).is_some(), "{model:?}");
+        }
     }
 }
 
@@ -144,14 +178,15 @@ fn is_best((states, noises): &Atoms) -> bool {
     })
 }
 
-/// CKS-T: without normality the same equations do not give the conditional mean, and with normality they do, whatever the
-/// two variances.
+/// CKS-T, CKS-L1, CKS-L3i: without normality the same equations do not give the conditional mean, and with normality they do,
+/// whatever the two variances.
 #[test]
 fn the_conditional_mean_needs_normality() {
     let (states, noises) = counterexample(atoms(), is_best);
-    assert!(states.len() * noises.len() > 1);
+    // Either variance zero would leave nothing to estimate, or nothing to estimate it by.
+    assert!(states.iter().any(|&x| x != 0) && noises.iter().any(|&v| v != 0), "{states:?}, {noises:?}");
     holds_without((0_i64..9, 1_i64..9), |&(p, r)| {
-        let model = Model { a: 1, factor: vec![p, 0, 0, 0, 0, r, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1] };
-        is_right(&model)
+        let factor = Matrix::diagonal(&[p, 0, r, 1].map(|deviation| ratio(deviation, 1)));
+        is_right(&Model { timing: Timing::Departing, a: 1, factor })
     });
 }

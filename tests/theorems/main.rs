@@ -6,11 +6,13 @@
 mod conditioning;
 mod enclosures;
 mod linear_filter;
+mod mixed_start;
 #[path = "../papers/anderson_riccati/draws.rs"]
 #[expect(dead_code, reason = "shared with tests/papers, which uses more of it")]
 mod models;
 mod moments;
 mod parallel_sums;
+mod random_modes;
 mod riccati;
 mod search;
 mod stability;

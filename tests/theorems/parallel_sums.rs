@@ -1,10 +1,10 @@
-//! Lemma 4.1 of Anderson and others without F ≥ 0, G ≥ 0. (That it holds: `papers::anderson_riccati::parallel_sum`.)
+//! Lemma 4.1 of Anderson and others without F ≥ 0, G ≥ 0. (That it holds as a whole: `papers::anderson_riccati::parallel_sum`.)
 
 use exact_kalman::matrix::Matrix;
 use proptest::prelude::*;
 
 use super::models::{Q, is_definite, is_semidefinite, le, matrices, parallel_sum, semidefinite};
-use super::search::{counterexample, holds_without};
+use super::search::{counterexample, holds_where, holds_without};
 
 fn symmetric(n: usize) -> impl Strategy<Value = Q> {
     matrices(n, n, 3).prop_map(|a| &a + a.transpose())
@@ -27,11 +27,12 @@ fn symmetry_needs_semidefinite_matrices() {
         let (f, g) = counterexample(pairs(first, second), |(f, g)| is_semidefinite(&parallel_sum(f, g)));
         assert!(is_semidefinite(&f) != is_semidefinite(&g), "{f} and {g}");
     }
-    let (f, g) = counterexample(pairs(false, false), |(f, g)| {
-        let (sum, turned) = (parallel_sum(f, g), parallel_sum(g, f));
-        sum == turned
-    });
+    let (f, g) = counterexample(pairs(false, false), |(f, g)| parallel_sum(f, g) == parallel_sum(g, f));
     assert!(!is_semidefinite(&f) || !is_semidefinite(&g));
+    holds_without(pairs(true, true), |(f, g)| {
+        let sum = parallel_sum(f, g);
+        is_semidefinite(&sum) && sum == parallel_sum(g, f)
+    });
 }
 
 /// AK-L4.1iii: monotony fails with an F that is not ≥ 0, with a G that is not, and without F ≤ H.
@@ -56,15 +57,15 @@ fn monotony_needs_semidefinite_matrices() {
     assert!(!le(&f, &h), "{f}, {h}, {g}");
 }
 
-/// AK-L4.1iv: `F:G = F − F(F + G)⁻¹F` is a matter of algebra where F + G is regular, whatever the signs; that it is ≤ F needs
-/// F + G ≥ 0.
+/// AK-L4.1iv: `F:G = F − F(F + G)⁻¹F` is a matter of algebra where F + G is regular, whatever the signs; that it is ≤ F follows
+/// from F + G > 0 alone, and fails without a sign of F + G.
 #[test]
 fn the_subtractive_form_needs_no_sign_and_the_bound_does() {
-    let subtractive = |(f, g): &(Q, Q)| match (f + g).inverse() {
-        Ok(inverse) => parallel_sum(f, g) == f - f * inverse * f,
-        Err(_) => true,
-    };
-    holds_without(pairs(false, false), subtractive);
+    let is_regular = |(f, g): &(Q, Q)| (f + g).rank() == f.rows();
+    let subtractive =
+        |(f, g): &(Q, Q)| (f + g).inverse().is_ok_and(|inverse| parallel_sum(f, g) == f - f * inverse * f);
+    holds_where(pairs(false, false), is_regular, subtractive);
+    holds_where(pairs(false, false), |(f, g)| is_definite(&(f + g)), |(f, g)| le(&parallel_sum(f, g), f));
     let (f, g) = counterexample(pairs(true, false), |(f, g)| le(&parallel_sum(f, g), f));
     assert!(!is_semidefinite(&(&f + &g)), "{f} and {g}");
 }

@@ -6,6 +6,9 @@ use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, Test
 /// How many models are tried.
 const TRIED: u32 = 20_000;
 
+/// At how many models a claim must hold.
+const HELD: u32 = 500;
+
 /// The simplest model found at which the claim fails, always the same.
 ///
 /// # Panics
@@ -28,11 +31,30 @@ pub fn counterexample<T: std::fmt::Debug>(models: impl Strategy<Value = T>, clai
 ///
 /// If it fails at one.
 pub fn holds_without<T: std::fmt::Debug>(models: impl Strategy<Value = T>, claim: impl Fn(&T) -> bool) {
-    let config = Config { cases: 500, failure_persistence: None, ..Config::default() };
+    holds_where(models, |_| true, claim);
+}
+
+/// The claim holds at every model drawn that satisfies the hypothesis. The others do not count, and are drawn again.
+///
+/// # Panics
+///
+/// If it fails at one, or if there are too few of them.
+pub fn holds_where<T: std::fmt::Debug>(
+    models: impl Strategy<Value = T>,
+    hypothesis: impl Fn(&T) -> bool,
+    claim: impl Fn(&T) -> bool,
+) {
+    let config = Config { cases: HELD, failure_persistence: None, max_global_rejects: 100 * HELD, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    let failing = |model: T| if claim(&model) { Ok(()) } else { Err(TestCaseError::fail("the claim fails")) };
-    if let Err(error) = runner.run(&models, failing) {
-        panic!("the hypothesis is needed: {error}");
+    let failing = |model: T| match (hypothesis(&model), claim(&model)) {
+        (false, _) => Err(TestCaseError::reject("the hypothesis")),
+        (true, true) => Ok(()),
+        (true, false) => Err(TestCaseError::fail("the claim fails")),
+    };
+    match runner.run(&models, failing) {
+        Ok(()) => {}
+        Err(TestError::Abort(reason)) => panic!("fewer than {HELD} models have the hypothesis: {reason}"),
+        Err(TestError::Fail(_, model)) => panic!("the claim fails at {model:?}"),
     }
 }
 
@@ -42,4 +64,8 @@ fn a_search_finds_the_simplest_of_what_there_is() {
     assert_eq!(counterexample(0_i64..1000, |&x| x < 17), 17);
     assert!(std::panic::catch_unwind(|| counterexample(0_i64..1000, |&x| x < 1000)).is_err());
     assert!(std::panic::catch_unwind(|| holds_without(0_i64..1000, |&x| x < 500)).is_err());
+    holds_where(0_i64..1000, |&x| x < 500, |&x| x < 500);
+    assert!(std::panic::catch_unwind(|| holds_where(0_i64..1000, |&x| x < 501, |&x| x < 500)).is_err());
+    // No model has the hypothesis: nothing was checked.
+    assert!(std::panic::catch_unwind(|| holds_where(0_i64..1000, |&x| x > 999, |_| true)).is_err());
 }

@@ -5,7 +5,7 @@ use exact_kalman::scalar::ratio;
 use proptest::prelude::*;
 
 use super::models::{Q, definite, is_definite, is_semidefinite, matrices, power, semidefinite};
-use super::search::{counterexample, holds_without};
+use super::search::{counterexample, holds_where};
 
 fn is_stable(d: &Q) -> bool {
     d.spectral_radius_lt(&ratio(1, 1))
@@ -15,23 +15,27 @@ fn difference(f: &Q, d: &Q) -> Q {
     f - d.transpose().congruence(f)
 }
 
+/// F, and a D that is often small enough for F − DᵀFD > 0.
 fn with_loops(f: impl Fn(usize) -> BoxedStrategy<Q> + Copy) -> impl Strategy<Value = (Q, Q)> {
-    (1_usize..=2).prop_flat_map(move |n| (f(n), matrices(n, n, 2)))
+    let scaled = |(f, d, parts): (Q, Q, i64)| (f, d.scaled(&ratio(1, parts)));
+    (1_usize..=2).prop_flat_map(move |n| (f(n), matrices(n, n, 2), 1_i64..4)).prop_map(scaled)
 }
 
 /// AK-L4.2: without F > 0, and without strictness, ρ(D) < 1 does not follow.
 #[test]
 fn the_easy_half_of_stein_needs_both_signs() {
-    let claim = |(f, d): &(Q, Q)| !is_definite(f) || !is_definite(&difference(f, d)) || is_stable(d);
-    holds_without(with_loops(|n| definite(n).boxed()), claim);
+    let is_strict = |(f, d): &(Q, Q)| is_definite(&difference(f, d));
+    let has_stable_loop = |(_, d): &(Q, Q)| is_stable(d);
+    holds_where(with_loops(|n| definite(n).boxed()), is_strict, has_stable_loop);
     // F ≥ 0 only: then F > 0 follows from F ≥ F − DᵀFD > 0, so semidefiniteness is enough.
-    let semidefinite_only = |(f, d): &(Q, Q)| !is_definite(&difference(f, d)) || is_stable(d);
-    holds_without(with_loops(|n| semidefinite(n).boxed()), semidefinite_only);
-    let (f, d) =
-        counterexample(with_loops(|n| matrices(n, n, 3).prop_map(|a| &a + a.transpose()).boxed()), semidefinite_only);
+    holds_where(with_loops(|n| semidefinite(n).boxed()), is_strict, has_stable_loop);
+    let (f, d) = counterexample(with_loops(|n| matrices(n, n, 3).prop_map(|a| &a + a.transpose()).boxed()), |model| {
+        !is_strict(model) || has_stable_loop(model)
+    });
     assert!(!is_semidefinite(&f) && !is_stable(&d), "{f}, {d}");
-    let not_strict = |(f, d): &(Q, Q)| !is_semidefinite(&difference(f, d)) || is_stable(d);
-    let (f, d) = counterexample(with_loops(|n| definite(n).boxed()), not_strict);
+    let (f, d) = counterexample(with_loops(|n| definite(n).boxed()), |(f, d)| {
+        !is_semidefinite(&difference(f, d)) || is_stable(d)
+    });
     assert!(is_definite(&f) && !is_definite(&difference(&f, &d)));
 }
 
@@ -80,7 +84,7 @@ fn lagged_moments_need_nonsingular_matrices() {
     assert!(a.rank() == a.rows() && !is_definite(&v));
 }
 
-/// AK-L3.1ii: without ρ(A) < 1 the formula has nothing to stand for: the equation of the stationary covariance has no
+/// AK-L3.1ii, AK-L3.2: without ρ(A) < 1 the formula has nothing to stand for: the equation of the stationary covariance has no
 /// solution, or one that is no covariance.
 #[test]
 fn stationary_moments_need_stability() {

@@ -1,6 +1,6 @@
-//! README.md beside this file: every theorem of SPEC.md has a row, and every test it names exists.
+//! README.md beside this file: every theorem of SPEC.md has a row, and every test it names exists and says that it is about it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -28,19 +28,15 @@ fn theorems() -> BTreeSet<String> {
     headings.filter(|identifier| is_theorem(identifier)).map(str::to_owned).collect()
 }
 
-/// Rows of the table: identifier, and the other two cells.
-fn rows() -> BTreeMap<String, [String; 2]> {
+/// Rows of the table below its head: the identifiers, and the other two cells.
+fn rows() -> Vec<(Vec<String>, [String; 2])> {
     let text = fs::read_to_string(root().join("tests/theorems/README.md")).expect("README.md");
-    let mut rows = BTreeMap::new();
-    for line in text.lines().filter(|line| line.starts_with("| ")) {
+    let row = |line: &str| {
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
         let [identifiers, holds, dropped] = cells[..] else { panic!("three cells in {line}") };
-        for identifier in identifiers.split(", ") {
-            let before = rows.insert(identifier.to_owned(), [holds.to_owned(), dropped.to_owned()]);
-            assert!(before.is_none(), "{identifier} has two rows");
-        }
-    }
-    rows
+        (identifiers.split(", ").map(str::to_owned).collect(), [holds.to_owned(), dropped.to_owned()])
+    };
+    text.lines().filter(|line| line.starts_with("| ")).skip(1).map(row).collect()
 }
 
 /// The texts in backquotes.
@@ -48,36 +44,60 @@ fn quoted(cell: &str) -> impl Iterator<Item = &str> {
     cell.split('`').skip(1).step_by(2)
 }
 
-/// Whether `crate::module::test` is a test.
-fn exists(name: &str) -> bool {
-    let mut parts: Vec<&str> = name.split("::").collect();
-    let Some(test) = parts.pop() else { return false };
-    let path: PathBuf = parts.iter().collect();
+/// What is written above `crate::module::test`, if there is such a test.
+fn documentation(name: &str) -> Option<String> {
+    let (module, test) = name.rsplit_once("::")?;
+    let path: PathBuf = module.split("::").collect();
     let files =
         [root().join("tests").join(&path).with_extension("rs"), root().join("tests").join(&path).join("mod.rs")];
-    files.iter().filter_map(|file| fs::read_to_string(file).ok()).any(|source| source.contains(&format!("fn {test}(")))
+    let header = format!("fn {test}(");
+    files.iter().filter_map(|file| fs::read_to_string(file).ok()).find_map(|source| {
+        let lines: Vec<&str> = source.lines().map(str::trim_start).collect();
+        let place = lines.iter().position(|line| line.starts_with(&header))?;
+        let above: Vec<&str> = lines[..place]
+            .iter()
+            .rev()
+            .copied()
+            .take_while(|line| line.starts_with("///") || line.starts_with("#["))
+            .collect();
+        above.contains(&"#[test]").then(|| above.into_iter().rev().collect::<Vec<_>>().join(" "))
+    })
+}
+
+/// Whether a text names an identifier, and not only a longer one.
+fn names(text: &str, identifier: &str) -> bool {
+    text.split(|letter: char| !letter.is_alphanumeric() && !"-._".contains(letter))
+        .any(|word| word.trim_end_matches('.') == identifier)
 }
 
 #[test]
 fn every_theorem_has_a_row() {
-    let (theorems, rows) = (theorems(), rows());
+    let theorems = theorems();
     assert!(theorems.len() > 50, "only {} theorems were seen", theorems.len());
-    let missing: Vec<_> = theorems.iter().filter(|identifier| !rows.contains_key(*identifier)).collect();
+    let mut seen = BTreeSet::new();
+    for identifier in rows().into_iter().flat_map(|(identifiers, _)| identifiers) {
+        assert!(seen.insert(identifier.clone()), "{identifier} has two rows");
+    }
+    let missing: Vec<_> = theorems.difference(&seen).collect();
     assert!(missing.is_empty(), "without a row: {missing:?}");
 }
 
+/// Every row names entries of SPEC.md, a test that they hold, and says something of the hypotheses; its tests exist, and the
+/// documentation of each names an entry of the row.
 #[test]
-fn rows_name_tests_that_exist() {
+fn rows_name_tests_of_their_theorems() {
     let text = fs::read_to_string(root().join("SPEC.md")).expect("SPEC.md");
-    for (identifier, [holds, dropped]) in
-        rows().iter().filter(|(identifier, _)| !matches!(identifier.as_str(), "theorem" | "---"))
-    {
-        assert!(text.contains(&format!("### {identifier} ")), "{identifier} is no entry");
-        for name in quoted(holds).chain(quoted(dropped)) {
-            assert!(exists(name), "{identifier}: there is no test {name}");
+    for (identifiers, [holds, dropped]) in rows() {
+        for identifier in &identifiers {
+            assert!(text.contains(&format!("### {identifier} ")), "{identifier} is no entry");
         }
-        assert!(quoted(holds).count() > 0, "{identifier}: no test that it holds");
-        assert!(!dropped.is_empty(), "{identifier}: nothing is said of its hypotheses");
+        for name in quoted(&holds).chain(quoted(&dropped)) {
+            let Some(documentation) = documentation(name) else { panic!("{identifiers:?}: there is no test {name}") };
+            let is_named = identifiers.iter().any(|identifier| names(&documentation, identifier));
+            assert!(is_named, "{identifiers:?}: {name} says nothing of it");
+        }
+        assert!(quoted(&holds).count() > 0, "{identifiers:?}: no test that it holds");
+        assert!(!dropped.is_empty(), "{identifiers:?}: nothing is said of its hypotheses");
     }
 }
 
@@ -90,5 +110,12 @@ fn theorems_are_told_from_conditions() {
     for identifier in ["HV-C1", "WG-C1i", "SM-T1-remark", "CKS-1a", "HV-P1.SKP", "HV-Tab1"] {
         assert!(!is_theorem(identifier), "{identifier}");
     }
-    assert!(!exists("agree::squares::there_is_no_such_test") && exists("agree::squares::squares_are_completed"));
+    assert_eq!(documentation("agree::squares::there_is_no_such_test"), None);
+    let found = documentation("agree::squares::squares_are_completed").expect("a test");
+    assert!(
+        names(&found, "EK-L1")
+            && names(&found, "EK-L3")
+            && !names(&found, "EK-L1".trim_end_matches('1'))
+            && !names(&found, "EK-L5")
+    );
 }

@@ -4,7 +4,9 @@
 mod accepted;
 mod corrupted;
 mod files;
+mod kept;
 mod models;
 mod steady;
+mod steady_models;
 mod tight;
 mod truth;

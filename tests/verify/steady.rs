@@ -147,10 +147,25 @@ fn both_inequalities_are_tight() {
         // From above J is off by 4d² already.
         let is_enough = if sign > ratio(0, 1) { by < spare } else { true };
         match proved {
-            Ok(_) => assert!(is_enough, "{sign} {by}"),
+            Ok(ProvedSteady::Stabilising { is_covariance, .. }) => {
+                // Below zero Q is no covariance.
+                assert!(is_enough && is_covariance == (sign > ratio(0, 1)), "{sign} {by}");
+            }
+            Ok(other) => panic!("{other:?}"),
             Err(why) => assert!(!is_enough && why == Condition::Invariance, "{sign} {by} {why}"),
         }
     }
+}
+
+/// More than a certificate could speak of is refused before anything is computed.
+#[test]
+fn there_may_be_too_many_states() {
+    let large = |n: usize, m: usize| {
+        let step = step(&Q::zeros(n, n), &Q::zeros(m, n), &Q::zeros(n, n), &Q::zeros(n, m), &Q::zeros(m, m));
+        checked(&step, claimed((3, 1), (0, 1), (3, 2), (1, 4), None)).err()
+    };
+    assert_eq!([large(513, 1), large(1, 513)], [Some(Condition::Size); 2]);
+    assert_eq!(large(1, 512), Some(Condition::Shape));
 }
 
 fn fractions(rows: &[&[&str]]) -> RationalRows {
@@ -244,7 +259,8 @@ fn a_transition_that_arrives_is_put_into_the_reading() {
 
 #[test]
 fn documents_are_read_as_they_are_written_and_damage_is_seen() {
-    let model = serde_json::json!({"transition": [["2"]], "about": "α \"quoted\""});
+    let numbers = serde_json::json!([1, -1, 1.5, null, true]);
+    let model = serde_json::json!({"transition": [["2"]], "about": "α \"quoted\"", "numbers": numbers});
     let evidence = SteadyEvidence::Stabilising(claimed((385, 128), (1, 64), (97, 64), (1, 2), Some(1)));
     let document = SteadyDocument { model, evidence };
     let line = document.to_line();
@@ -263,6 +279,10 @@ fn documents_are_read_as_they_are_written_and_damage_is_seen() {
     assert!(rejected > 2000, "{rejected}");
     let extra = line.replacen('{', "{\"more\":1,", 1);
     assert!(SteadyDocument::parse(&extra).is_err());
+    for (member, again) in [("\"transition\":", "[[\"7\"]]"), ("\"exponent\":", "7")] {
+        let twice = line.replacen(member, &format!("{member}{again},{member}"), 1);
+        assert_eq!(SteadyDocument::parse(&twice).map_err(|why| why.condition), Err(Condition::Document), "{member}");
+    }
     let twice = line.replacen('{', "{\"balance\":1,", 1);
     assert!(SteadyDocument::parse(&twice).is_err());
 }

@@ -76,6 +76,14 @@ def ud(s, p, r, c):
     return v, let(s, "q", by(p, over(r, v)))
 
 
+def between_one_and_two(s):
+    s.assume("1 ≤ P ≤ 2", "(and (fp.leq one p) (fp.leq p (fp.add RNE one one)))")
+
+
+def normal_noise(s):
+    s.assume("R > 0 is normal", "(and (fp.isNormal r) (fp.isPositive r))")
+
+
 def between(q, p):
     return f"(and (fp.leq zero {q}) (fp.leq {q} {p}))"
 
@@ -95,7 +103,7 @@ def statements():
     p, r, c = inputs(s, True)
     v, w, q = short(s, p, r, c)
     s.assume("1 ≤ P, C ≤ 2", "(and (fp.leq one p) (fp.leq one c) (fp.leq p (fp.add RNE one one)) (fp.leq c (fp.add RNE one one)))")
-    s.assume("R > 0 is normal", "(and (fp.isNormal r) (fp.isPositive r))")
+    normal_noise(s)
     s.refuted = True
     s.conclude(at_most(ZERO, q))
     yield s
@@ -104,8 +112,8 @@ def statements():
     p, r, _ = inputs(s)
     v, w, _ = short(s, p, r, None)
     q = let(s, "n", less(p, by(by("k", v), "k")))
-    s.assume("1 ≤ P ≤ 2", "(and (fp.leq one p) (fp.leq p (fp.add RNE one one)))")
-    s.assume("R > 0 is normal", "(and (fp.isNormal r) (fp.isPositive r))")
+    between_one_and_two(s)
+    normal_noise(s)
     s.refuted = True
     s.conclude(at_most(ZERO, q))
     yield s
@@ -123,7 +131,7 @@ def statements():
     s = statement("joseph-at-most-the-prior", "Joseph's form with C = 1 is at most P, where 1 ≤ P ≤ 2 and R is normal.")
     p, r = number(s, "p"), number(s, "r")
     v, k, q = joseph(s, p, r, None)
-    s.assume("1 ≤ P ≤ 2", "(and (fp.leq one p) (fp.leq p (fp.add RNE one one)))")
+    between_one_and_two(s)
     s.assume("R > 0 is normal, S finite", f"(and (fp.isNormal r) (fp.isPositive r) {finite(v)})")
     s.mutated("always below P", f"(fp.lt {q} {p})")
     s.conclude(at_most(q, p))
@@ -141,7 +149,7 @@ def statements():
 
     s = statement("information-above-the-prior", "1/(1/P) is at most P, where 1 ≤ P ≤ 2. It is refuted: what the information form hands out before it has read anything.")
     p = number(s, "p")
-    s.assume("1 ≤ P ≤ 2", "(and (fp.leq one p) (fp.leq p (fp.add RNE one one)))")
+    between_one_and_two(s)
     s.refuted = True
     s.conclude(at_most(over(ONE, over(ONE, p)), p))
     yield s

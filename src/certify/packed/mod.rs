@@ -25,6 +25,8 @@ pub(super) struct Packed {
     magnitudes: Vec<u64>,
     negative: Vec<bool>,
     exponent: i64,
+    /// Whether it is known to be symmetric: then sums and multiples need the triangle alone.
+    is_symmetric: bool,
 }
 
 /// Which entries are computed.
@@ -52,7 +54,19 @@ impl Packed {
             negative.push(entry.sign() == Sign::Minus);
             magnitudes.resize(negative.len() * length, 0);
         }
-        Self { rows: mantissas.rows(), columns: mantissas.columns(), length, magnitudes, negative, exponent }
+        let (rows, columns) = (mantissas.rows(), mantissas.columns());
+        Self { rows, columns, length, magnitudes, negative, exponent, is_symmetric: false }
+    }
+
+    /// The same matrix, which is symmetric.
+    pub(super) fn symmetric(self) -> Self {
+        debug_assert!(self.rows == self.columns && self.mantissas() == self.mantissas().transpose());
+        Self { is_symmetric: true, ..self }
+    }
+
+    /// Which entries of a sum with another, or of a multiple, are computed.
+    fn part(&self, other: &Self) -> Part {
+        if self.is_symmetric && other.is_symmetric { Part::Triangle } else { Part::All }
     }
 
     /// The same with integers of their own.
@@ -66,7 +80,8 @@ impl Packed {
 
     pub(super) fn identity(n: usize) -> Self {
         let magnitudes = (0..n * n).map(|place| u64::from(place / n == place % n)).collect();
-        Self { rows: n, columns: n, length: 1, magnitudes, negative: vec![false; n * n], exponent: 0 }
+        let negative = vec![false; n * n];
+        Self { rows: n, columns: n, length: 1, magnitudes, negative, exponent: 0, is_symmetric: true }
     }
 
     /// A matrix whose entries are sums made in places of so many words, in two's complement.
@@ -92,9 +107,10 @@ impl Packed {
                 longest = longest.max(used(words));
             }
         }
-        let mut matrix = Self { rows, columns, length, magnitudes, negative, exponent };
+        let is_symmetric = part == Part::Triangle;
+        let mut matrix = Self { rows, columns, length, magnitudes, negative, exponent, is_symmetric };
         matrix.shorten(longest);
-        if part == Part::Triangle {
+        if is_symmetric {
             matrix.mirror();
         }
         matrix
@@ -128,7 +144,7 @@ impl Packed {
         self.rows
     }
 
-    #[cfg(test)]
+    #[cfg(all(test, feature = "judge"))]
     pub(super) fn columns(&self) -> usize {
         self.columns
     }
@@ -163,6 +179,9 @@ impl Packed {
 
     pub(super) fn transposed(&self) -> Self {
         let mut transposed = self.clone();
+        if self.is_symmetric {
+            return transposed;
+        }
         (transposed.rows, transposed.columns) = (self.columns, self.rows);
         for i in 0..self.rows {
             for j in 0..self.columns {
@@ -243,7 +262,7 @@ impl Packed {
 
     fn multiplied_by_words(&self, factor: Integer<'_>, exponent: i64) -> Self {
         let length = self.length + factor.words.len() + 1;
-        Self::built((self.rows, self.columns), length, exponent, Part::All, |sum, i, j| {
+        Self::built((self.rows, self.columns), length, exponent, self.part(self), |sum, i, j| {
             add_product(sum, self.integer(i, j), factor);
         })
     }
@@ -269,7 +288,7 @@ impl Packed {
         let (own, others) = (places(self), places(other));
         let bits = |matrix: &Self, places| if matrix.is_zero() { 0 } else { 64 * matrix.length as u64 + places };
         let length = length(bits(self, own).max(bits(other, others)) + 1);
-        Self::built((self.rows, self.columns), length, exponent, Part::All, |sum, i, j| {
+        Self::built((self.rows, self.columns), length, exponent, self.part(other), |sum, i, j| {
             add_shifted(sum, self.integer(i, j), own);
             let other = other.integer(i, j);
             add_shifted(sum, if is_less { other.negated() } else { other }, others);
@@ -354,7 +373,7 @@ impl Packed {
         let longest = diagonal.iter().map(BigInt::bits).max().unwrap_or(0);
         let length = length(longest.max(64 * self.length as u64) + 1);
         let mut words = Vec::new();
-        Self::built((self.rows, self.columns), length, self.exponent, Part::All, |sum, i, j| {
+        Self::built((self.rows, self.columns), length, self.exponent, self.part(self), |sum, i, j| {
             add_shifted(sum, self.integer(i, j), 0);
             if i == j && !diagonal[i].is_zero() {
                 words.clear();

@@ -65,6 +65,23 @@ proptest! {
         prop_assert_eq!(x.dyadics().mantissas, a);
     }
 
+    /// What is known to be symmetric gives the same by its triangle, also beside what is not.
+    #[test]
+    fn triangles_are_enough(
+        (a, b, more) in (1..4_usize).prop_flat_map(|n| (matrix(n, n), matrix(n, n), proptest::collection::vec(entry(), n))),
+        factor in entry(),
+    ) {
+        let twice = [&a, &b].map(|matrix| matrix + &matrix.transpose());
+        let [x, y] = [0, 1].map(|k| packed(&twice[k]).symmetric());
+        prop_assert_eq!(x.plus(&y).mantissas(), &twice[0] + &twice[1]);
+        prop_assert_eq!(x.minus(&y).mantissas(), &twice[0] - &twice[1]);
+        prop_assert_eq!(x.plus(&packed(&b)).mantissas(), &twice[0] + &b);
+        prop_assert_eq!(packed(&b).minus(&x).mantissas(), &b - &twice[0]);
+        prop_assert_eq!(x.scaled(&factor).mantissas(), twice[0].map(|entry| entry * &factor));
+        prop_assert_eq!(x.plus_diagonal(&more).mantissas(), &twice[0] + Matrix::diagonal(&more));
+        prop_assert_eq!(x.transposed().mantissas(), twice[0].clone());
+    }
+
     /// A symmetric sum with products.
     #[test]
     fn products_are_added(

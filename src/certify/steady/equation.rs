@@ -4,12 +4,13 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use super::{Dyadics, odd_denominator};
+use crate::certify::upper::Upper;
 use crate::matrix::{Echelon, Matrix};
 use crate::model::UnifiedStep;
-use crate::scalar::{Dyadic, Rational, Toward};
+use crate::scalar::Dyadic;
 
 /// Bits of factors: closed loops may contract as little as 1 − 2⁻¹⁰⁰.
-const FACTOR_BITS: u64 = 512;
+pub(super) const FACTOR: Upper = Upper { bits: 512 };
 
 /// Where the state goes: `z = A x + w`, with the covariances of w and of w and the noise of what is read.
 #[derive(Clone, Debug)]
@@ -79,26 +80,6 @@ pub(super) fn without_repeated(step: &UnifiedStep) -> (UnifiedStep, Vec<usize>) 
         observation_noise: step.observation_noise.select(&kept, &kept),
     };
     (less, kept)
-}
-
-pub(super) fn above(value: &Rational) -> Dyadic {
-    Dyadic::rounded(value, FACTOR_BITS, Toward::Above)
-}
-
-pub(super) fn product(a: &Dyadic, b: &Dyadic) -> Dyadic {
-    a.times(b, FACTOR_BITS, Toward::Above)
-}
-
-pub(super) fn sum(a: &Dyadic, b: &Dyadic) -> Dyadic {
-    a.plus(b, FACTOR_BITS, Toward::Above)
-}
-
-/// `a / divisor^power` for a positive integer, or more.
-pub(super) fn over(a: &Dyadic, divisor: &BigInt, power: u32) -> Dyadic {
-    if divisor.is_one() {
-        return a.clone();
-    }
-    a.over(&Dyadic::new(divisor.pow(power), 0), FACTOR_BITS, Toward::Above).unwrap_or_else(Dyadic::zero)
 }
 
 /// A positive power of two.

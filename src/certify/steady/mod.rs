@@ -39,14 +39,16 @@ pub struct SteadyEffort {
     pub digits: u32,
     /// Whether as many are wanted of what is left of S once y is known.
     pub filtered: bool,
+    /// Whether as many are wanted of A S Aᵀ + Q.
+    pub open: bool,
     /// The most bits of a number in the proof.
     pub most_bits: u64,
 }
 
 impl Default for SteadyEffort {
-    /// 30 digits of everything, with at most 4096 bits.
+    /// 30 digits of all covariances, with at most 4096 bits.
     fn default() -> Self {
-        Self { digits: 30, filtered: true, most_bits: 1 << 12 }
+        Self { digits: 30, filtered: true, open: true, most_bits: 1 << 12 }
     }
 }
 
@@ -99,6 +101,10 @@ pub struct SteadyState {
     pub filtered_digits: Option<u32>,
     /// States whose filtered variances are not told from zero, and may not be: their digits are those of the variance in S.
     pub filtered_vanishing: Vec<usize>,
+    /// The digits of A S Aᵀ + Q.
+    pub open_digits: Option<u32>,
+    /// States whose variances in A S Aᵀ + Q are not told from zero.
+    pub open_vanishing: Vec<usize>,
     /// The bits that the proof took.
     pub bits: u64,
     /// The sensors that are used: the others repeat them, noise included.
@@ -176,6 +182,7 @@ impl SteadyState {
         let all: Vec<usize> = (0..sensors).collect();
         let (mut step, mut kept) = (step.clone(), all);
         let mut best: Result<Self, Unproved> = Err(Unproved::Restless);
+        let mut is_guess = false;
         loop {
             let equation = Equation::of(&step);
             if equation.noise_odd.bits() > MOST_DENOMINATOR_BITS {
@@ -220,15 +227,38 @@ impl SteadyState {
             if bits >= effort.most_bits {
                 return best;
             }
-            bits = (2 * bits).min(effort.most_bits);
+            // A bit more makes a bit more known; where that was tried in vain, twice as many are next.
+            let more = best.as_ref().ok().filter(|state| state.bits == bits).and_then(|state| state.missing(effort));
+            let more = more.filter(|more| !is_guess && *more < bits);
+            is_guess = more.is_some();
+            bits += more.unwrap_or(bits);
+            bits = bits.min(effort.most_bits);
         }
+    }
+
+    /// Digits, and states whose variances are not told from zero, of each covariance that is wanted.
+    fn wanted(&self, effort: SteadyEffort) -> impl Iterator<Item = (Option<u32>, &[usize])> {
+        let all = [
+            (true, self.digits, &self.vanishing[..]),
+            (effort.filtered, self.filtered_digits, &self.filtered_vanishing),
+            (effort.open, self.open_digits, &self.open_vanishing),
+        ];
+        all.into_iter().filter_map(|(is_wanted, digits, vanishing)| is_wanted.then_some((digits, vanishing)))
     }
 
     /// Whether all is known that is wanted.
     fn reaches(&self, effort: SteadyEffort) -> bool {
-        let is_enough = |digits: Option<u32>| digits.is_none_or(|digits| digits >= effort.digits);
-        let filtered = !effort.filtered || self.filtered_vanishing.is_empty() && is_enough(self.filtered_digits);
-        self.vanishing.is_empty() && is_enough(self.digits) && filtered
+        let is_enough = |digits: u32| digits >= effort.digits;
+        self.wanted(effort).all(|(digits, vanishing)| vanishing.is_empty() && digits.is_none_or(is_enough))
+    }
+
+    /// The bits that the digits take which are missing, and some; nothing where a variance is not told from zero, so that nobody knows.
+    fn missing(&self, effort: SteadyEffort) -> Option<u64> {
+        if self.wanted(effort).any(|(digits, vanishing)| !vanishing.is_empty() || digits == Some(0)) {
+            return None;
+        }
+        let least = self.wanted(effort).filter_map(|(digits, _)| digits).min()?;
+        Some(u64::from(effort.digits.saturating_sub(least)) * 4 + MARGIN / 4)
     }
 }
 

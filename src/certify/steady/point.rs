@@ -7,7 +7,7 @@
 use num_bigint::BigInt;
 use num_traits::{One, Signed, Zero};
 
-use super::equation::{Equation, Target, above, over, product, sum};
+use super::equation::{Equation, FACTOR, Target};
 use super::{BOUND_BITS, Dyadics, nearest, scale, whitening};
 use crate::matrix::Matrix;
 use crate::scalar::{Dyadic, Toward, ratio};
@@ -41,20 +41,20 @@ impl Reading {
         let whitening = whitening(&covariance, &equation.noise_odd, bits)?;
         let identity = Dyadics { mantissas: Matrix::identity(h.rows()), exponent: 0 }.scaled(&equation.noise_odd);
         let eta = largest_row_sum(&whitening.congruence(&covariance).minus(&identity));
-        let eta = over(&eta, &equation.noise_odd, 1).shortened(BOUND_BITS, Toward::Above);
+        let eta = FACTOR.over(&eta, &equation.noise_odd, 1).shortened(BOUND_BITS, Toward::Above);
         let through = whitening.times(h);
         Some(Self { point: point.clone(), seen, covariance, whitening, through, eta })
     }
 
     /// `tr(T H X Hᵀ Tᵀ)`, or a little more.
     pub(super) fn spread(&self, matrix: &Dyadics, equation: &Equation) -> Dyadic {
-        over(&self.through.congruence(matrix).trace(), &equation.odd, 2).shortened(BOUND_BITS, Toward::Above)
+        FACTOR.over(&self.through.congruence(matrix).trace(), &equation.odd, 2).shortened(BOUND_BITS, Toward::Above)
     }
 
     /// 1/κ or more, if κ ≥ 1/4.
     pub(super) fn inverse_kappa(&self, spread: &Dyadic) -> Option<Dyadic> {
-        let kappa = Dyadic::one().plus(&sum(&self.eta, spread).negated(), BOUND_BITS, Toward::Below);
-        if kappa < above(&ratio(1, 4)) {
+        let kappa = Dyadic::one().plus(&FACTOR.sum(&self.eta, spread).negated(), BOUND_BITS, Toward::Below);
+        if kappa < FACTOR.of(&ratio(1, 4)) {
             return None;
         }
         Dyadic::one().over(&kappa, BOUND_BITS, Toward::Above)
@@ -88,21 +88,21 @@ impl Image {
 
     /// G E Gᵀ, and D̄ but for the part of w: what the gap becomes.
     pub(super) fn parts(&self, gap: &Dyadics, equation: &Equation, inverse_kappa: &Dyadic) -> (Dyadics, Dyadics) {
-        let second = product(&above(&ratio(2, 1)), inverse_kappa);
-        let kept = self.closed.congruence(gap).multiple(&over(&Dyadic::one(), &equation.odd, 2));
-        (kept, self.missed.multiple(&over(&second, &equation.noise_odd, 2)))
+        let second = FACTOR.product(&FACTOR.of(&ratio(2, 1)), inverse_kappa);
+        let kept = self.closed.congruence(gap).multiple(&FACTOR.over(&Dyadic::one(), &equation.odd, 2));
+        (kept, self.missed.multiple(&FACTOR.over(&second, &equation.noise_odd, 2)))
     }
 }
 
 /// `(1 + 2w/κ) GEGᵀ + (2/κ) ρTᵀTρᵀ`
 pub(super) fn widened(kept: &Dyadics, missed: &Dyadics, spread: &Dyadic, inverse_kappa: &Dyadic) -> Dyadics {
-    let more = product(&product(&above(&ratio(2, 1)), inverse_kappa), spread);
-    kept.multiple(&sum(&Dyadic::one(), &more)).plus(missed)
+    let more = FACTOR.product(&FACTOR.product(&FACTOR.of(&ratio(2, 1)), inverse_kappa), spread);
+    kept.multiple(&FACTOR.sum(&Dyadic::one(), &more)).plus(missed)
 }
 
 /// D̄
 pub(super) fn missing(kept: &Dyadics, missed: &Dyadics, spread: &Dyadic, inverse_kappa: &Dyadic) -> Dyadics {
-    kept.multiple(&product(&product(&above(&ratio(2, 1)), inverse_kappa), spread)).plus(missed)
+    kept.multiple(&FACTOR.product(&FACTOR.product(&FACTOR.of(&ratio(2, 1)), inverse_kappa), spread)).plus(missed)
 }
 
 /// K̃ ≈ Γ̃TᵀT, each entry to so many bits of what a deviation of its reading does to its state.
@@ -110,7 +110,7 @@ fn gain(gamma: &Dyadics, prior: &Dyadics, whitening: &Dyadics, odd: &BigInt, bit
     let t = whitening;
     let exact = gamma.times(&t.transposed()).times(t);
     let size = |variance: &Dyadic| if variance.is_negative() { None } else { scale(variance) };
-    let rows: Vec<i64> = prior.diagonal().iter().map(|v| size(&over(v, odd, 1)).unwrap_or(0)).collect();
+    let rows: Vec<i64> = prior.diagonal().iter().map(|v| size(&FACTOR.over(v, odd, 1)).unwrap_or(0)).collect();
     // T has the unit of the reciprocal deviation of its column.
     let columns: Vec<i64> =
         (0..t.rows()).map(|j| (0..t.rows()).filter_map(|i| t.entry(i, j).magnitude()).max().unwrap_or(0)).collect();
@@ -136,7 +136,9 @@ pub(super) fn diagonal_bound(matrix: &Dyadics, odd: &BigInt, scales: &[i64]) -> 
     let row = |i: usize| {
         let terms = matrix.mantissas.row(i).iter().zip(scales).map(|(entry, scale)| entry.abs() << (most - scale));
         let total = terms.fold(BigInt::zero(), |sum, term| sum + term);
-        over(&Dyadic::new(total, matrix.exponent - most + scales[i]), odd, 1).shortened(BOUND_BITS, Toward::Above)
+        FACTOR
+            .over(&Dyadic::new(total, matrix.exponent - most + scales[i]), odd, 1)
+            .shortened(BOUND_BITS, Toward::Above)
     };
     (0..matrix.rows()).map(row).collect()
 }
@@ -148,9 +150,11 @@ pub(super) fn without_zero_rows(matrix: &Dyadics) -> Dyadics {
     Dyadics { mantissas: matrix.mantissas.select(&filled, &filled), exponent: matrix.exponent }
 }
 
-/// Whether a symmetric matrix is proved positive definite: T times it times Tᵀ is near the identity for some T.
-pub(super) fn is_definite(matrix: &Dyadics) -> bool {
-    [64, 192].into_iter().any(|bits| whitening(matrix, &BigInt::one(), bits).is_some_and(|t| whitens(&t, matrix)))
+/// Whether a symmetric matrix is proved positive definite: T times it times Tᵀ is near the identity for some T, of few bits, or
+/// of as many as are given.
+pub(super) fn is_definite(matrix: &Dyadics, most: u64) -> bool {
+    let proves = |bits: u64| whitening(matrix, &BigInt::one(), bits).is_some_and(|t| whitens(&t, matrix));
+    [64, 192].into_iter().any(proves) || most > 192 && proves(most)
 }
 
 /// Whether T M Tᵀ is so near to the identity that M is positive definite.

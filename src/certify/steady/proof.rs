@@ -16,7 +16,7 @@ use num_bigint::BigInt;
 use num_traits::One;
 
 use super::doubling::Proposal;
-use super::equation::{Equation, over, power_of_two, product, sum};
+use super::equation::{Equation, FACTOR, power_of_two};
 use super::fixed::{Rows, identity, most_bits};
 use super::known::Known;
 use super::point::{Image, Reading, diagonal_bound, is_definite, missing, widened, without_zero_rows};
@@ -97,9 +97,10 @@ impl Proof {
     }
 }
 
-/// Whether `E − W' − diag(d) > 0` for a bound d of J − S̃ from both sides.
+/// Whether `E ≥ 0`, without which W' bounds nothing, and `E − W' − diag(d) > 0` for a bound d of J − S̃ from both sides.
 pub(super) fn is_interior(gap: &Dyadics, widened: &Dyadics, residual: &[Dyadic], bits: u64) -> bool {
-    is_definite(&without_zero_rows(&gap.minus(&up(widened, residual, 2 * bits))))
+    is_definite(&without_zero_rows(&gap.minus(&up(widened, residual, 2 * bits))), 0)
+        && is_definite(&without_zero_rows(gap), bits + BOUND_BITS)
 }
 
 /// How near to the spectral radius r is tried, as parts of 1 − ρ².
@@ -132,7 +133,7 @@ fn gap(
     let residual = residual(point, image, equation, units);
     let missed = diagonal_bound(&image.missed, &equation.noise_odd.pow(2), units);
     let parts = residual.iter().zip(&missed).zip(units).map(|((residual, missed), unit)| {
-        let all = sum(residual, &product(missed, &power_of_two(4)));
+        let all = FACTOR.sum(residual, &FACTOR.product(missed, &power_of_two(4)));
         (all.magnitude().map(|size| size - 2 * unit), !all.is_zero())
     });
     let (sizes, moves): (Vec<_>, Vec<_>) = parts.unzip();
@@ -216,20 +217,27 @@ impl Contraction<'_> {
         let (total, _) = series(&faster, &identity(units.len(), places), places)?;
         let shape = of_units(&total, units, (places, swing(closed, places)), 0);
         let carried = self.image.closed.congruence(&shape);
-        let carried = carried.multiple(&over(&Dyadic::one(), &self.equation.odd, 2));
-        let through = product(&self.reading.spread(&shape, self.equation), self.inverse_kappa);
+        let carried = carried.multiple(&FACTOR.over(&Dyadic::one(), &self.equation.odd, 2));
+        let through = FACTOR.product(&self.reading.spread(&shape, self.equation), self.inverse_kappa);
         let size = 1 - rate_squared.magnitude().unwrap_or(0);
         let k = 3 + amplification(&total, shift) + size + size_of(units.len());
         let balance = (!self.missing.is_zero()).then_some(k);
         let all = match balance {
             None => carried,
             Some(k) => {
-                let of_missing = product(&sum(&Dyadic::one(), &power_of_two(k)), &through);
-                carried.multiple(&sum(&Dyadic::one(), &power_of_two(-k))).plus(&self.missing.multiple(&of_missing))
+                let of_missing = FACTOR.product(&FACTOR.sum(&Dyadic::one(), &power_of_two(k)), &through);
+                carried
+                    .multiple(&FACTOR.sum(&Dyadic::one(), &power_of_two(-k)))
+                    .plus(&self.missing.multiple(&of_missing))
             }
         };
-        let nothing = vec![Dyadic::zero(); units.len()];
-        let slack = shape.multiple(&rate_squared).minus(&up(&all, &nothing, places));
-        is_definite(&slack).then_some((shape, rate_squared, balance))
+        is_shrunk(&shape, &rate_squared, &all, places).then_some((shape, rate_squared, balance))
     }
+}
+
+/// Whether `X > 0`, without which a loop that grows would pass as well, and `r²X` is above what becomes of X.
+pub(super) fn is_shrunk(shape: &Dyadics, rate_squared: &Dyadic, carried: &Dyadics, places: u64) -> bool {
+    let nothing = vec![Dyadic::zero(); shape.rows()];
+    let slack = shape.multiple(rate_squared).minus(&up(carried, &nothing, places));
+    is_definite(&slack, 0) && is_definite(shape, places)
 }

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 
-use super::equation::{Equation, product};
+use super::equation::{Equation, FACTOR};
 use super::known::Known;
 use super::point::{Image, widened};
 use super::proof::Proof;
@@ -41,6 +41,7 @@ impl Results<'_> {
             }
         }
         let filtered_known = Known::of_intervals(&filtered_covariance, |i| solution[(i, i)].lower().clone());
+        let open_known = Known::of_intervals(&open_covariance, |_| Dyadic::zero());
         let innovation_known = Known::of_intervals(&innovation_covariance, |_| Dyadic::zero());
         let digits = [&known, &innovation_known].into_iter().filter_map(Known::digits).min();
         SteadyState {
@@ -53,6 +54,8 @@ impl Results<'_> {
             rate_squared: proof.rate_squared.clone(),
             digits,
             vanishing: known.vanishing,
+            open_digits: open_known.digits(),
+            open_vanishing: open_known.vanishing,
             filtered_digits: filtered_known.digits(),
             filtered_vanishing: filtered_known.vanishing,
             bits,
@@ -64,7 +67,7 @@ impl Results<'_> {
 
     /// The gap of an image under a map over e.
     fn image(&self, map: &Dyadics) -> Dyadics {
-        map.congruence(&self.proof.gap).multiple(&super::equation::over(&Dyadic::one(), &self.equation.odd, 2))
+        map.congruence(&self.proof.gap).multiple(&FACTOR.over(&Dyadic::one(), &self.equation.odd, 2))
     }
 
     /// A matrix over w that is known up to a gap.
@@ -85,7 +88,7 @@ impl Results<'_> {
         let place = |sensor: usize| self.kept.iter().position(|kept| *kept == sensor);
         Matrix::from_fn(missing.len(), self.sensors, |i, sensor| {
             let Some(j) = place(sensor) else { return Interval::zero() };
-            let square = product(&product(&missing[i], &whitening[j]), &self.proof.inverse_kappa);
+            let square = FACTOR.product(&FACTOR.product(&missing[i], &whitening[j]), &self.proof.inverse_kappa);
             around(&image.gain.entry(i, j), &root(&square), self.bits)
         })
     }

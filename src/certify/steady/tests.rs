@@ -224,6 +224,21 @@ fn is_mapped_inside(step: &UnifiedStep, [point, gain, whitening, gap]: [&Dyadics
     kappa > Rational::zero() && off.loewner_le(&room).is_ok() && (-&off).loewner_le(&room).is_ok()
 }
 
+/// E and X are proposals as well. With G = 2, E = −1 has `E − GEGᵀ > 0`, and X = −1 has `r²X − GXGᵀ > 0`.
+#[test]
+fn sets_and_forms_below_zero_prove_nothing() {
+    let number = |value: i64| Dyadics { mantissas: Matrix::from_fn(1, 1, |_, _| BigInt::from(value)), exponent: 0 };
+    let half = Dyadic::rounded(&ratio(1, 2), 1, crate::scalar::Toward::Above);
+    for (of, carried, proves) in [(1, 0, true), (-1, -4, false), (1, 4, false)] {
+        assert_eq!(proof::is_interior(&number(of), &number(carried), std::slice::from_ref(&half), 64), proves);
+        assert_eq!(proof::is_shrunk(&number(of), &half, &number(carried), 64), proves);
+    }
+    // Zero is a set of one point; as a form it proves nothing.
+    let none = [Dyadic::zero()];
+    assert!(proof::is_interior(&number(0), &number(0), &none, 64));
+    assert!(!proof::is_shrunk(&number(0), &half, &number(0), 64));
+}
+
 /// What is far from the identity proves nothing.
 #[test]
 fn a_poor_factor_proves_no_definiteness() {
@@ -245,7 +260,7 @@ fn definiteness_is_proved_only_where_it_holds() {
         let matrix = matrix.scaled(&ratio(144, 1));
         let exactly = matrix.ldl().is_ok_and(|ldl| ldl.is_positive_definite());
         let dyadics = Dyadics::of(&matrix, &BigInt::one());
-        let proved = point::is_definite(&dyadics);
+        let proved = point::is_definite(&dyadics, 0);
         assert!(!proved || exactly, "seed {seed}");
         assert!(proved || !exactly, "seed {seed}: not seen");
         seen[usize::from(exactly)] += 1;

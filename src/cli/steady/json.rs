@@ -16,8 +16,11 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
                 .into_iter()
                 .map(|(name, matrix)| (name.replace(' ', "_"), enclosed(&matrix, page.digits)))
                 .collect();
+            let of =
+                |asked| page.other(state).filter(|(name, ..)| *name == asked).map_or(&[][..], |(_, _, states)| states);
             json!({"id": page.model.id, "verdict": "stabilising", "digits": page.known(state), "bits": state.bits,
-                "kept": state.kept, "vanishing": state.vanishing, "filtered_vanishing": state.filtered_vanishing, "rate": rate(state, page.digits.min(17)), "noise_is_covariance": page.is_covariance(),
+                "kept": state.kept, "vanishing": state.vanishing, "filtered_vanishing": of("filtered"),
+                "predicted_vanishing": of("predicted"), "rate": rate(state, page.digits.min(17)), "noise_is_covariance": page.is_covariance(),
                 "matrices": matrices})
         }
         Finding::Absent(absence) => {

@@ -70,8 +70,8 @@ impl Steady {
             .map_err(|source| Trouble::Question { place, source })?;
         let step = model.unified();
         let page = Page { model: &model, step, digits: self.digits };
-        let filtered = page.has_filtered();
-        let effort = SteadyEffort { digits: self.digits + SPARE, filtered, most_bits: self.most_bits };
+        let (filtered, open) = (page.has(Timing::Departing), page.has(Timing::Arriving));
+        let effort = SteadyEffort { digits: self.digits + SPARE, filtered, open, most_bits: self.most_bits };
         let finding = found(&page.step, effort);
         if let Some(file) = &self.certificate {
             certificate::write(file, &page, &finding)?;
@@ -120,19 +120,27 @@ impl Page<'_> {
         }
     }
 
-    /// Whether a filtered covariance is printed beside the solution.
-    fn has_filtered(&self) -> bool {
-        self.model.equation.timing() == Some(Timing::Departing)
+    fn has(&self, timing: Timing) -> bool {
+        self.model.equation.timing() == Some(timing)
+    }
+
+    /// What is printed beside the solution and the innovation covariance: its name, its digits, and the states whose variances
+    /// are not told from zero.
+    fn other<'a>(&self, state: &'a SteadyState) -> Option<(&'static str, Option<u32>, &'a [usize])> {
+        match self.model.equation.timing()? {
+            Timing::Departing => Some(("filtered", state.filtered_digits, &state.filtered_vanishing)),
+            Timing::Arriving => Some(("predicted", state.open_digits, &state.open_vanishing)),
+        }
     }
 
     /// The digits of the covariances that are printed; nothing if all is exact.
     fn known(&self, state: &SteadyState) -> Option<u32> {
-        state.digits.into_iter().chain(state.filtered_digits.filter(|_| self.has_filtered())).min()
+        state.digits.into_iter().chain(self.other(state).and_then(|(_, digits, _)| digits)).min()
     }
 
     /// Whether so many digits are proved, each of its own variances.
     fn is_known(&self, state: &SteadyState, digits: u32) -> bool {
-        let vanish = !state.vanishing.is_empty() || self.has_filtered() && !state.filtered_vanishing.is_empty();
-        !vanish && self.known(state).is_none_or(|known| known >= digits)
+        let all_told = state.vanishing.is_empty() && self.other(state).is_none_or(|(_, _, states)| states.is_empty());
+        all_told && self.known(state).is_none_or(|known| known >= digits)
     }
 }

@@ -32,9 +32,8 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
             if !state.vanishing.is_empty() {
                 writeln!(out, "Not told from zero: the variance of {}", named_list("state", &state.vanishing))?;
             }
-            if page.has_filtered() && !state.filtered_vanishing.is_empty() {
-                let vanishing = named_list("state", &state.filtered_vanishing);
-                writeln!(out, "Not told from zero: the filtered variance of {vanishing}")?;
+            if let Some((name, _, states)) = page.other(state).filter(|(_, _, states)| !states.is_empty()) {
+                writeln!(out, "Not told from zero: the {name} variance of {}", named_list("state", states))?;
             }
             if !page.is_covariance() {
                 writeln!(

@@ -1,6 +1,6 @@
 //! The parallel sum.
 
-use crate::prove::body::{Body, Failure, Sides, no_value};
+use crate::prove::body::{Body, Failure, Numbers, Sides, no_value};
 use crate::prove::entries::Entries;
 use crate::scalar::Field;
 
@@ -10,12 +10,13 @@ pub(in crate::prove) struct Forms;
 impl Body for Forms {
     const IDENTIFIERS: &'static [&'static str] = &["AK-L4.1ii", "AK-L4.1iv", "AK-Par-inverse"];
     const NAME: &'static str = "F:G = G:F = F − F(F + G)⁻¹F, and inverses add";
+    const WHERE: &'static str = "F, G and F + G are regular";
     const SLIP: &'static str = "F − G(F + G)⁻¹F";
     const LETTERS: &'static [&'static str] = &["n"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[1, 0, 0], [2, 0, 0], [3, 0, 0]];
-    const RANDOM: &'static [[usize; 3]] = &[[3, 0, 0], [4, 0, 0], [8, 0, 0]];
+    const SYMBOLIC: &'static [&'static [usize]] = &[&[1], &[2], &[3]];
+    const RANDOM: &'static [&'static [usize]] = &[&[3], &[4], &[8]];
 
-    fn sides<F: Field>([n, ..]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
+    fn sides<F: Field>([n, ..]: Numbers, twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
         let (f, g) = (entries.symmetric("F", n), entries.symmetric("G", n));
         let sum = f.parallel_sum(&g).map_err(no_value)?;
         let inverse = (&f + &g).inverse().map_err(no_value)?;
@@ -36,13 +37,14 @@ pub(in crate::prove) struct Singular;
 impl Body for Singular {
     const IDENTIFIERS: &'static [&'static str] = &["AK-L4.1ii", "AK-L4.1iv"];
     const NAME: &'static str = "parallel sums of singular matrices";
+    const WHERE: &'static str = "F = UXUᵀ and G = UYUᵀ, X + Y regular";
     const SLIP: &'static str = "F − G(F + G)⁺F";
     const LETTERS: &'static [&'static str] = &["n", "r"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 1, 0], [3, 1, 0], [4, 1, 0]];
-    const HEAVY: &'static [[usize; 3]] = &[[3, 2, 0], [4, 2, 0]];
-    const RANDOM: &'static [[usize; 3]] = &[[3, 2, 0], [4, 2, 0], [6, 4, 0], [8, 3, 0]];
+    const SYMBOLIC: &'static [&'static [usize]] = &[&[2, 1], &[3, 1], &[4, 1]];
+    const HEAVY: &'static [&'static [usize]] = &[&[3, 2], &[4, 2]];
+    const RANDOM: &'static [&'static [usize]] = &[&[3, 2], &[4, 2], &[6, 4], &[8, 3]];
 
-    fn sides<F: Field>([n, r, _]: [usize; 3], twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
+    fn sides<F: Field>([n, r, ..]: Numbers, twin: bool, entries: &mut Entries<'_, F>) -> Result<Sides<F>, Failure> {
         let u = entries.matrix("U", n, r);
         let (x, y) = (entries.symmetric("X", r), entries.symmetric("Y", r));
         let (f, g) = (u.congruence(&x), u.congruence(&y));

@@ -1,7 +1,7 @@
 //! The pseudo-inverse by full-rank factorisation.
 
 use crate::matrix::Matrix;
-use crate::prove::body::{Body, Failure, Sides, no_value};
+use crate::prove::body::{Body, Failure, Numbers, Sides, no_value};
 use crate::prove::entries::Entries;
 use crate::scalar::Field;
 
@@ -19,14 +19,16 @@ pub(in crate::prove) struct Penrose;
 impl Body for Penrose {
     const IDENTIFIERS: &'static [&'static str] = &["CKS-L3-pinv", "HV-L3"];
     const NAME: &'static str = "Penrose's equations";
+    const WHERE: &'static str = "the matrix is BC, with factors of that rank";
     const SLIP: &'static str = "the Gram matrix UᵀU is not inverted away";
     const LETTERS: &'static [&'static str] = &["rows", "columns", "rank"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 2, 1], [2, 2, 2], [3, 2, 1], [3, 2, 2], [3, 3, 1], [4, 4, 1]];
-    const HEAVY: &'static [[usize; 3]] = &[[3, 3, 2], [4, 3, 2], [3, 3, 3], [4, 4, 2]];
-    const RANDOM: &'static [[usize; 3]] = &[[3, 3, 2], [4, 4, 2], [5, 7, 3], [8, 8, 4], [8, 8, 7]];
+    const SYMBOLIC: &'static [&'static [usize]] =
+        &[&[2, 2, 1], &[2, 2, 2], &[3, 2, 1], &[3, 2, 2], &[3, 3, 1], &[4, 4, 1]];
+    const HEAVY: &'static [&'static [usize]] = &[&[3, 3, 2], &[4, 3, 2], &[3, 3, 3], &[4, 4, 2]];
+    const RANDOM: &'static [&'static [usize]] = &[&[3, 3, 2], &[4, 4, 2], &[5, 7, 3], &[8, 8, 4], &[8, 8, 7]];
 
     fn sides<F: Field>(
-        [rows, columns, rank]: [usize; 3],
+        [rows, columns, rank, ..]: Numbers,
         twin: bool,
         entries: &mut Entries<'_, F>,
     ) -> Result<Sides<F>, Failure> {
@@ -56,14 +58,16 @@ pub(in crate::prove) struct AnyFactors;
 impl Body for AnyFactors {
     const IDENTIFIERS: &'static [&'static str] = &["HV-L3"];
     const NAME: &'static str = "the pseudo-inverse by any factors of full rank";
+    const WHERE: &'static str = "U and V have that rank";
     const SLIP: &'static str = "the inverses of VVᵀ and UᵀU are interchanged";
     const LETTERS: &'static [&'static str] = &["rows", "columns", "rank"];
-    const SYMBOLIC: &'static [[usize; 3]] = &[[2, 2, 2], [2, 2, 1], [3, 2, 1], [3, 2, 2], [3, 3, 1], [4, 4, 1]];
-    const HEAVY: &'static [[usize; 3]] = &[[3, 3, 2], [4, 3, 2], [3, 3, 3], [4, 4, 2]];
-    const RANDOM: &'static [[usize; 3]] = &[[3, 3, 2], [4, 4, 2], [5, 7, 3], [8, 8, 4]];
+    const SYMBOLIC: &'static [&'static [usize]] =
+        &[&[2, 2, 2], &[2, 2, 1], &[3, 2, 1], &[3, 2, 2], &[3, 3, 1], &[4, 4, 1]];
+    const HEAVY: &'static [&'static [usize]] = &[&[3, 3, 2], &[4, 3, 2], &[3, 3, 3], &[4, 4, 2]];
+    const RANDOM: &'static [&'static [usize]] = &[&[3, 3, 2], &[4, 4, 2], &[5, 7, 3], &[8, 8, 4]];
 
     fn sides<F: Field>(
-        [rows, columns, rank]: [usize; 3],
+        [rows, columns, rank, ..]: Numbers,
         twin: bool,
         entries: &mut Entries<'_, F>,
     ) -> Result<Sides<F>, Failure> {

@@ -142,7 +142,7 @@ fn the_likelihood_ratio_by_b_and_m() {
 /// Erratum SM-3.17: with V° the inverse has +½; with −½ as printed it is no inverse: H = 1, Σᵛ = 2, ξ = 1, V°(1) = 0: exp(1/4)
 /// against exp(−1/4). With V in place of V° the printed sign is right.
 ///
-/// SM-horizon: E√L(T) = exp(−zᵀM(T)z/8).
+/// SM-horizon: E√L(T) = exp(−zᵀM(T)z/8). SM-P1: with the sign as printed ℙ̄ is no probability measure.
 #[test]
 fn signs_of_the_quadratic_term() {
     for changed in Changed::all(BOTH) {
