@@ -300,6 +300,28 @@ fn eigenvalues_next_to_the_circle_are_told_from_it() {
     assert!(is_proof(&absence, &step));
 }
 
+/// Rows in which the row of squares (1, 4, 9, …) has no share of one mode of a pair: other rows are tried.
+#[test]
+fn a_mode_that_the_first_row_misses_is_found_with_others() {
+    // (4, −1) is an eigenvector of 2, and (1, 4) (4, −1)ᵀ = 0.
+    let vectors = Matrix::from_rows(vec![vec![ratio(4, 1), ratio(1, 1)], vec![ratio(-1, 1), ratio(0, 1)]]).expect("2×2");
+    let values = Matrix::diagonal(&[ratio(2, 1), ratio(1, 2)]);
+    let pair = &vectors * &values * vectors.inverse().expect("regular");
+    assert_eq!(Existence::of(&unreached(&pair, 0, &[1, 2, -1])), Existence::Present);
+    let unseen = unobserved(&pair.transpose(), 0, &[1, 2, -1]);
+    let Existence::Absent(absence) = Existence::of(&unseen) else { panic!("2 is not seen") };
+    assert!(is_proof(&absence, &unseen));
+    // Beside a pair on the circle.
+    let circle = companion(&[(1, 1), (-1, 2)]);
+    let coordinates = similarity(4, &[(0, 3, 2), (2, 0, -2), (2, 3, 2)]);
+    for block in [&pair.block_diagonal(&circle), &circle.block_diagonal(&pair), &blocks()[19].matrix] {
+        let still = unreached(block, 0, &[0, 0, 0]);
+        let still = disguised(still, &coordinates, &zeros(4, 4));
+        let Existence::Absent(absence) = Existence::of(&still) else { panic!("no noise reaches it") };
+        assert!(is_proof(&absence, &still));
+    }
+}
+
 /// Where R is singular what is found is a proof, and nothing found is no proof.
 #[test]
 fn a_singular_covariance_of_the_observations_is_never_taken_for_a_proof() {

@@ -168,17 +168,32 @@ impl<F: Field> Invariant<F> {
         self.restricted(&Matrix::identity(self.dimension()).block(0..count, 0..self.dimension()))
     }
 
-    /// The part of x, xΛ, xΛ², … for a row x in which all rows have a share.
-    pub(super) fn cyclic(&self) -> Self {
-        let mut row = Matrix::from_fn(1, self.dimension(), |_, j| {
-            // Squares, so that no simple pattern among equal blocks is met.
-            F::from_integer(i64::try_from((j + 1) * (j + 1)).unwrap_or(1))
+    /// The part of x, xΛ, xΛ², … for the first row x at which it has the dimension `degree`, that of a minimal polynomial of Λ
+    /// without repeated factors.
+    ///
+    /// The rows whose part is smaller lie in one proper subspace for each irreducible factor. A subspace holds fewer than k of the rows
+    /// (1, t, t², …), so that a larger part is found among any `degree` · k of them.
+    pub(super) fn cyclic(&self, degree: usize) -> Option<Self> {
+        let k = self.dimension();
+        let integer = |number: usize| F::from_integer(i64::try_from(number).unwrap_or(1));
+        // Squares first: they are short, and no simple pattern among equal blocks is met.
+        let squares = (1..=k).map(|j| integer(j * j)).collect();
+        let powers = (2..2 + degree * k).map(|t| {
+            let t = integer(t);
+            std::iter::successors(Some(F::one()), |power| Some(power.times(&t))).take(k).collect()
         });
+        let mut parts = std::iter::once(squares).chain(powers).map(|row| self.generated(row));
+        parts.find(|part| part.dimension() == degree).map(|part| self.restricted(&part.basis()))
+    }
+
+    /// The span of x, xΛ, xΛ², ….
+    fn generated(&self, row: Vec<F>) -> Span<F> {
+        let mut row = Matrix::from_fn(1, self.dimension(), |_, j| row[j].clone());
         let mut span = Span::new(self.dimension());
         while span.insert(row.entries()).is_ok() {
             row = row * &self.map;
         }
-        self.restricted(&span.basis())
+        span
     }
 }
 

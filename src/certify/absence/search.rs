@@ -69,8 +69,8 @@ fn unobservable_in<F: Remainder>(step: &UnifiedStep, dimensions: usize) -> Found
     }
     if paired.divisor.degree() > 0 {
         // Of z and 1/z one has modulus 1 or more.
-        let part = all.annihilated(&paired.divisor.square_free()).cyclic();
-        let exact = part.unobserved(step).filter(|rows| paired_polynomial(rows).is_some());
+        let exact = paired.cyclic(&all).and_then(|part| part.unobserved(step));
+        let exact = exact.filter(|rows| paired_polynomial(rows).is_some());
         return exact.map_or(Found::Unknown, |rows| Found::proof(Absence::unobservable(&rows)));
     }
     // The rank over the fractions is at least that modulo the prime: these are all unobservable rows.
@@ -101,8 +101,7 @@ fn unreachable_in<F: Remainder>(step: &UnifiedStep, dimensions: usize) -> Found 
         let exact = fixed.unreached(step).filter(is_fixed);
         return exact.map_or(Found::Unknown, |rows| Found::proof(Absence::unreachable(rows, None)));
     }
-    let part = all.annihilated(&paired.divisor.square_free()).cyclic();
-    let Some(rows) = part.unreached(step) else { return Found::Unknown };
+    let Some(rows) = paired.cyclic(&all).and_then(|part| part.unreached(step)) else { return Found::Unknown };
     let Some(polynomial) = paired_polynomial(&rows) else { return Found::Unknown };
     if polynomial.square_free() != polynomial {
         return Found::Unknown;
@@ -149,6 +148,12 @@ impl<F: Remainder> Paired<F> {
     fn of(rows: &Invariant<F>) -> Self {
         let polynomial = Polynomial::new(rows.map.characteristic_polynomial());
         Self { divisor: polynomial.common_divisor(&polynomial.reciprocal()) }
+    }
+
+    /// Rows with each of these roots once.
+    fn cyclic(&self, rows: &Invariant<F>) -> Option<Invariant<F>> {
+        let roots = self.divisor.square_free();
+        rows.annihilated(&roots).cyclic(roots.degree())
     }
 
     /// One row with the eigenvalue 1 or −1, if there is one.
