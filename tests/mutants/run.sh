@@ -2,11 +2,25 @@
 # Makes each of the listed mistakes in a copy of the tree, one at a time, and runs the tests that must notice.
 #
 # Usage: tests/mutants/run.sh [PATCH...]     all patches beside this script by default
+#        tests/mutants/run.sh --check        only whether all of them apply
 #
 # Exit 0 if every mistake was caught, 1 if one survived, no longer applies or does not compile.
 # Compiled files are kept in CARGO_TARGET_DIR (by default a directory under the temporary one) for all of them.
 set -eu
-case "${1-}" in -*) sed -n '2,/^set /{/^set /!s/^# \{0,1\}//p;}' "$0"; exit 2 ;; esac
+case "${1-}" in
+--check)
+    failures=0
+    cd "$(dirname "$0")/../.."
+    for patch in tests/mutants/*.patch; do
+        git apply --check --whitespace=nowarn "$patch" || failures=1
+    done
+    exit "$failures"
+    ;;
+-*)
+    sed -n '2,/^set /{/^set /!s/^# \{0,1\}//p;}' "$0"
+    exit 2
+    ;;
+esac
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 [ $# -gt 0 ] || set -- "$here"/*.patch
