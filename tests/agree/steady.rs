@@ -1,6 +1,6 @@
 //! Steady states against closed forms, exact checks of what proves them, and other routes.
 
-use exact_kalman::certify::{CertifiedFilter, SteadyEffort, SteadyState};
+use exact_kalman::certify::{CertifiedFilter, SteadyEffort, SteadyState, Unproved};
 use exact_kalman::matrix::Matrix;
 use exact_kalman::model::{Before, Initial, Noise, Observation, System, Timing, UnifiedStep};
 use exact_kalman::riccati::RiccatiMap;
@@ -378,6 +378,24 @@ fn repeated_sensors_are_left_out() {
     assert!(overlap(&once.solution, &twice.solution));
     assert_eq!(twice.gain.columns(), 2);
     assert_eq!(twice.gain[(0, 1)], Interval::zero());
+}
+
+/// A sensor with the row and the noise of another, but with other cross noise, is no repetition: its noise is no covariance, and
+/// leaving it out would be an answer to another question.
+#[test]
+fn a_sensor_that_differs_in_cross_noise_alone_is_not_left_out() {
+    let number = |rows: &[&[i64]]| Matrix::from_fn(rows.len(), rows[0].len(), |i, j| ratio(rows[i][j], 2));
+    let of = |cross: [i64; 2]| UnifiedStep {
+        transition: number(&[&[1]]),
+        observation: number(&[&[2], &[2]]),
+        process_noise: number(&[&[2]]),
+        cross_noise: number(&[&cross]),
+        observation_noise: number(&[&[2, 2], &[2, 2]]),
+    };
+    let repeated = SteadyState::of(&of([1, 1]), digits(20)).expect("one sensor, twice");
+    assert_eq!(repeated.kept, [0]);
+    let refused = SteadyState::of(&of([1, 0]), digits(20)).expect_err("two sensors, of noise that is no covariance");
+    assert!(matches!(refused, Unproved::Singular { .. }), "{refused}");
 }
 
 /// What is hard for programs with doubles: each to 30 digits.
