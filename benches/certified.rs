@@ -103,7 +103,9 @@ fn print_ratios() {
             .collect();
         ratios.sort_by(f64::total_cmp);
         let [least, low, median, high, largest] = [0, 1, 2, 3, 4].map(|quarter| ratios[quarter * (ROUNDS - 1) / 4]);
-        println!("{named:10} median {median:.1}, quartiles {low:.1} and {high:.1}, least {least:.1}, largest {largest:.1}");
+        println!(
+            "{named:10} median {median:.1}, quartiles {low:.1} and {high:.1}, least {least:.1}, largest {largest:.1}"
+        );
     }
 }
 
