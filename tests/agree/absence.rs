@@ -304,7 +304,8 @@ fn eigenvalues_next_to_the_circle_are_told_from_it() {
 #[test]
 fn a_mode_that_the_first_row_misses_is_found_with_others() {
     // (4, −1) is an eigenvector of 2, and (1, 4) (4, −1)ᵀ = 0.
-    let vectors = Matrix::from_rows(vec![vec![ratio(4, 1), ratio(1, 1)], vec![ratio(-1, 1), ratio(0, 1)]]).expect("2×2");
+    let vectors =
+        Matrix::from_rows(vec![vec![ratio(4, 1), ratio(1, 1)], vec![ratio(-1, 1), ratio(0, 1)]]).expect("2×2");
     let values = Matrix::diagonal(&[ratio(2, 1), ratio(1, 2)]);
     let pair = &vectors * &values * vectors.inverse().expect("regular");
     assert_eq!(Existence::of(&unreached(&pair, 0, &[1, 2, -1])), Existence::Present);

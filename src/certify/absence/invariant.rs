@@ -177,17 +177,17 @@ impl<F: Field> Invariant<F> {
         let k = self.dimension();
         let integer = |number: usize| F::from_integer(i64::try_from(number).unwrap_or(1));
         // Squares first: they are short, and no simple pattern among equal blocks is met.
-        let squares = (1..=k).map(|j| integer(j * j)).collect();
+        let squares: Vec<F> = (1..=k).map(|j| integer(j * j)).collect();
         let powers = (2..2 + degree * k).map(|t| {
             let t = integer(t);
             std::iter::successors(Some(F::one()), |power| Some(power.times(&t))).take(k).collect()
         });
-        let mut parts = std::iter::once(squares).chain(powers).map(|row| self.generated(row));
+        let mut parts = std::iter::once(squares).chain(powers).map(|row| self.generated(&row));
         parts.find(|part| part.dimension() == degree).map(|part| self.restricted(&part.basis()))
     }
 
     /// The span of x, xΛ, xΛ², ….
-    fn generated(&self, row: Vec<F>) -> Span<F> {
+    fn generated(&self, row: &[F]) -> Span<F> {
         let mut row = Matrix::from_fn(1, self.dimension(), |_, j| row[j].clone());
         let mut span = Span::new(self.dimension());
         while span.insert(row.entries()).is_ok() {
