@@ -15,7 +15,8 @@ mod truth;
 
 use exact_kalman::protocol::{Case, SteadyModel};
 use exact_kalman::verify::{
-    BeliefDocument, FilterCertificate, FilterCheck, SteadyDocument, SteadyEvidence, StepDocument, check_steady,
+    BeliefDocument, FilterCertificate, FilterCheck, SteadyDocument, SteadyEvidence, StepDocument, VerifyError,
+    check_steady,
 };
 use steady_models::change_matrix;
 
@@ -58,9 +59,12 @@ fn from_outside(bytes: &[u8]) -> Reached {
         return if verdict.is_ok() { Reached::Accepted } else { Reached::Rejected };
     }
     let Ok(certificate) = FilterCertificate::open(bytes) else { return Reached::Nothing };
-    let path = Case::parse(certificate.case()).and_then(|case| case.problem()?.realised());
-    let Ok(path) = path else { return Reached::Nothing };
-    if certificate.verify(&path, |_| {}).is_ok() { Reached::Accepted } else { Reached::Rejected }
+    let Ok(problem) = Case::parse(certificate.case()).and_then(|case| case.problem()) else { return Reached::Nothing };
+    let verdict = certificate.verify(&problem.system, &problem.observations, |_| {});
+    if matches!(verdict, Err(VerifyError::Case(_))) {
+        return Reached::Nothing;
+    }
+    if verdict.is_ok() { Reached::Accepted } else { Reached::Rejected }
 }
 
 /// Numbers off the tape; zeros after its end.
@@ -81,15 +85,18 @@ fn changed(bytes: &[u8]) -> Reached {
         change(&mut tape, &mut start, &mut steps);
     }
     let truth = truth::Truth::of(&model.longer);
-    let Ok(mut check) = FilterCheck::begin(&model.path, &start) else { return Reached::Rejected };
+    let Ok(mut check) = FilterCheck::begin(model.path.timing(), model.path.initial(), &start) else {
+        return Reached::Rejected;
+    };
     for step in &steps {
         let at = check.done();
-        if check.step(step).is_err() {
+        let is_right = model.path.steps().get(at).is_some_and(|own| check.step(own, step).is_ok());
+        if !is_right {
             return Reached::Rejected;
         }
         assert!(truth.agrees(at, step, model.path.timing()), "step {at} is accepted and false: {step:?}");
     }
-    if check.end().is_ok() { Reached::Accepted } else { Reached::Rejected }
+    if check.end(model.path.steps().len()).is_ok() { Reached::Accepted } else { Reached::Rejected }
 }
 
 fn changed_at_rest(bytes: &[u8]) -> Reached {

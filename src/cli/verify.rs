@@ -11,8 +11,7 @@ use super::Format;
 use super::exit::{Exit, Trouble};
 use super::proved_interval::{shown, shown_matrix};
 use super::{input, verify_steady};
-use crate::model::Observation;
-use crate::protocol::{Case, SteadyModel};
+use crate::protocol::{Case, CaseError, Problem, SteadyModel};
 use crate::verify::{
     Belief, Condition, FilterCertificate, FilterFormat, MAXIMAL_LINE_BYTES, ProvedStep, Rejection, VerifyError,
 };
@@ -23,9 +22,9 @@ Examples:
   exact-kalman verify nile.certificate --last
   exact-kalman verify nile.certificate --case examples/certificates/nile.json
 
-The checker shares no code with what makes certificates, and computes with integers alone. It holds the
-case inside, and one step of the certificate at a time. The format and the inequalities are described in
-docs/CERTIFICATES.md. Exit codes: 0 verified, 1 rejected, 2 trouble with a file";
+The checker shares no code with what makes certificates, and computes with integers alone. It holds what
+the case inside says, and one step of it and of the certificate at a time. The format and the
+inequalities are described in docs/CERTIFICATES.md. Exit codes: 0 verified, 1 rejected, 2 trouble with a file";
 
 /// Check a certificate: every number in it is proved, or it is rejected
 #[derive(clap::Args, Debug)]
@@ -47,8 +46,9 @@ pub(super) struct Verify {
     format: Format,
 }
 
-/// The most numbers in the matrices of all steps of a case: two gibibytes of them, or some more. A short text may ask for many.
-const MOST_NUMBERS: usize = 1 << 25;
+/// The most places in the readings of a case: two gibibytes of them. A line has room for fewer that are filled, but `null` may stand for
+/// many that are not. All else that is held was written out, and matrices of a step have few rows.
+const MOST_READINGS: usize = 1 << 25;
 
 /// The member that tells the certificate of a filter; the others are left alone.
 #[derive(Deserialize)]
@@ -143,45 +143,34 @@ impl Verify {
     fn of_filter(&self, reader: impl BufRead, place: &str) -> Result<Verified, Failed> {
         let failed = |error| match error {
             VerifyError::Rejected(rejection) => Failed::Rejected(rejection),
+            VerifyError::Case(error) => inside(&CaseError::Model(error)),
             VerifyError::Input(source) => Failed::Trouble(Trouble::Input { place: place.to_owned(), source }),
         };
         let certificate = FilterCertificate::open(reader).map_err(failed)?;
-        let inside = |error: crate::protocol::CaseError| rejected(Condition::Case, format!("the case inside: {error}"));
-        let case = Case::parse(certificate.case()).map_err(inside)?;
-        let problem = case.problem().map_err(inside)?;
-        let (steps, n) = (problem.observations.len(), problem.system.initial.mean.rows());
-        let m = problem.observations.first().map_or(0, Observation::dimension);
-        if steps.saturating_mul((n + m).saturating_pow(2).saturating_add(n.saturating_mul(n))) > MOST_NUMBERS {
+        let case = Case::parse(certificate.case()).map_err(|error| inside(&error))?;
+        let (all, m) = (case.observations.len(), case.sensors());
+        if all.saturating_mul(m) > MOST_READINGS {
             let message = format!(
-                "the case inside has {steps} steps of {n} states and {m} sensors: more than the {MOST_NUMBERS} numbers that are held"
+                "the case inside has {all} readings of {m} sensors: more than the {MOST_READINGS} places that are held"
             );
             return Err(rejected(Condition::Size, message));
         }
-        let path = problem.realised().map_err(inside)?;
-        if let Some(file) = &self.case {
-            let cases = input::cases(file)?;
-            let given = cases.iter().find(|given| given.id == case.id).or(if let [only] = &cases[..] {
-                Some(only)
-            } else {
-                None
-            });
-            let trouble = |source| Trouble::Case { place: file.display().to_string(), source };
-            let same = match given {
-                Some(given) => given.problem().and_then(|problem| problem.realised()).map_err(trouble)? == path,
-                None => false,
-            };
-            if !same {
-                return Err(rejected(Condition::Case, "the case inside is not the one that is given"));
-            }
+        let problem = case.problem().map_err(|error| inside(&error))?;
+        let (id, may_be_indefinite) = (case.id.clone(), case.initial.allow_indefinite);
+        drop(case);
+        if let Some(file) = &self.case
+            && !is_given(&problem, &id, file)?
+        {
+            return Err(rejected(Condition::Case, "the case inside is not the one that is given"));
         }
         let (mut step, mut least, mut last) = (0, None::<(u64, usize)>, None);
         let is_wanted = self.last;
-        let verdict = certificate.verify(&path, |proved| {
+        let verdict = certificate.verify(&problem.system, &problem.observations, |proved| {
             if let Some(bits) = proved.bits.filter(|bits| least.is_none_or(|(least, _)| *bits < least)) {
                 least = Some((bits, step));
             }
             step += 1;
-            if is_wanted && step == path.steps().len() {
+            if is_wanted && step == all {
                 last = Some(proved.clone());
             }
         });
@@ -196,7 +185,7 @@ impl Verify {
             }
             None => lines.push(("digits proved, at least".into(), "all: every number is exact".into())),
         }
-        if case.initial.allow_indefinite {
+        if may_be_indefinite {
             let words = "may be indefinite: these are then numbers of the recursion, and no conditional moments";
             lines.push(("the initial covariance".into(), words.into()));
         }
@@ -213,7 +202,7 @@ impl Verify {
             }
             members.push(("last", moments));
         }
-        Ok(Verified { name: case.id, lines, members })
+        Ok(Verified { name: id, lines, members })
     }
 
     fn moments(&self, belief: &Belief) -> (Vec<String>, Vec<Vec<String>>) {
@@ -222,6 +211,37 @@ impl Verify {
         let mean = (0..n).map(|i| text(belief.mean(i))).collect();
         (mean, (0..n).map(|i| (0..n).map(|j| text(belief.covariance(i, j))).collect()).collect())
     }
+}
+
+fn inside(error: &CaseError) -> Failed {
+    rejected(Condition::Case, format!("the case inside: {error}"))
+}
+
+/// Whether the problem inside is that of the case with this name in a file, or of the only one there: the same law, step by step.
+fn is_given(own: &Problem, id: &str, file: &Path) -> Result<bool, Failed> {
+    let mut cases = input::cases(file)?;
+    let Some(place) = cases.iter().position(|given| given.id == id).or((cases.len() == 1).then_some(0)) else {
+        return Ok(false);
+    };
+    let trouble = |source| Failed::Trouble(Trouble::Case { place: file.display().to_string(), source });
+    let given = cases.swap_remove(place).problem().map_err(trouble)?;
+    // Before anything inside is evaluated, which may be large.
+    if own.system.timing != given.system.timing
+        || own.system.initial != given.system.initial
+        || own.observations.len() != given.observations.len()
+    {
+        return Ok(false);
+    }
+    let steps = own.system.steps(&own.observations).map_err(|error| inside(&error.into()))?;
+    let others = given.system.steps(&given.observations).map_err(|error| trouble(error.into()))?;
+    for (step, other) in steps.zip(others) {
+        let (step, other) =
+            (step.map_err(|error| inside(&error.into()))?, other.map_err(|error| trouble(error.into()))?);
+        if step != other {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// The decimal digits that so many bits are, rounded down.

@@ -28,6 +28,7 @@ type TransitionWithNoise<S> = (Option<Transition<S>>, Matrix<S>);
 /// The blocks Q, DFᵀ and R of the joint noise covariance.
 type JointNoise<S> = (Matrix<S>, Matrix<S>, Matrix<S>);
 
+#[derive(Debug)]
 pub(super) struct Realisation<'a, S> {
     system: &'a System<S>,
     observations: &'a [Observation<S>],
@@ -102,7 +103,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         Err(ModelError::Shape { place, expected, found, states: self.states, sensors: self.sensors })
     }
 
-    fn check_initial(&self) -> Result<(), ModelError<S>> {
+    pub(super) fn check_initial(&self) -> Result<(), ModelError<S>> {
         let Initial { mean, covariance, diffuse, allow_indefinite, .. } = &self.system.initial;
         let n = self.states;
         self.check_shape(Field::InitialMean, None, mean.shape(), (n, 1))?;
@@ -122,7 +123,7 @@ impl<'a, S: OrderedField> Realisation<'a, S> {
         Ok(())
     }
 
-    fn step(&self, k: usize) -> Result<Step<S>, ModelError<S>> {
+    pub(super) fn step(&self, k: usize) -> Result<Step<S>, ModelError<S>> {
         let (n, m) = (self.states, self.sensors);
         let seen = self.past_of_observation(k);
         let observation = evaluated(Field::Observation, &self.system.observation, k, seen)?;

@@ -81,7 +81,7 @@ impl Case {
 
     /// The dimension of a reading that is wholly missing: that of the first which is not, else the rows of the
     /// observation matrix.
-    fn sensors(&self) -> usize {
+    pub(crate) fn sensors(&self) -> usize {
         let rows = match &self.observation {
             Along::Constant(rows) => Some(rows.len()),
             Along::PerStep(steps) => steps.iter().flatten().map(Vec::len).next(),

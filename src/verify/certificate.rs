@@ -11,7 +11,8 @@ use super::document::{BeliefDocument, FilterEnd, FilterFormat, FilterHeader, Ste
 use super::filter::{FilterCheck, ProvedStep};
 use super::lines::{Lines, VerifyError};
 use super::rejection::{Condition, wrong};
-use crate::model::Path;
+use super::step::check_order;
+use crate::model::{Observation, System};
 use crate::scalar::Rational;
 
 /// A certificate whose first line was read.
@@ -38,9 +39,9 @@ use crate::scalar::Rational;
 /// let certificate = writer.end()?;
 ///
 /// let read = FilterCertificate::open(certificate.as_slice())?;
-/// let path = Case::parse(read.case())?.problem()?.realised()?;
+/// let problem = Case::parse(read.case())?.problem()?;
 /// let mut least = u64::MAX;
-/// read.verify(&path, |step| least = least.min(step.bits.unwrap_or(u64::MAX)))?;
+/// read.verify(&problem.system, &problem.observations, |step| least = least.min(step.bits.unwrap_or(u64::MAX)))?;
 /// assert!(least > 110);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -67,21 +68,34 @@ impl<R: BufRead> FilterCertificate<R> {
         self.header.case.get()
     }
 
-    /// Checks all steps against the path of the case, with one step of the certificate in memory at a time; hands out what is proved of each as soon as it is.
+    /// Checks all steps against those of the case, with one step of both in memory at a time; hands out what is proved of each as soon as it is.
     ///
-    /// Nothing but the path says for which case it is: whether the case inside is the one that was meant is for the caller.
+    /// The system and its observations alone say for which case it is: whether they are those of the case inside, and that is the
+    /// one that was meant, is for the caller.
     ///
     /// # Errors
     ///
-    /// [`VerifyError`] at the first line that is wrong. What was handed out before is true all the same, unless the fault is in
-    /// the digest.
-    pub fn verify(mut self, path: &Path<Rational>, mut proved: impl FnMut(&ProvedStep)) -> Result<(), VerifyError> {
+    /// [`VerifyError`] at the first line that is wrong, or the first step of the case that is no sound model. What was handed out before
+    /// is true of the steps up to there, unless the fault is in the digest; only the end says that the whole is a certificate.
+    pub fn verify(
+        mut self,
+        system: &System<Rational>,
+        observations: &[Observation<Rational>],
+        mut proved: impl FnMut(&ProvedStep),
+    ) -> Result<(), VerifyError> {
         let lines = &mut self.lines;
-        let mut check = FilterCheck::begin(path, &self.header.start).map_err(|rejection| lines.at(rejection))?;
-        while check.done() < path.steps().len() {
+        // Before the case is looked at: to check larger matrices would take long.
+        check_order(system.initial.mean.rows(), observations.first().map_or(0, Observation::dimension))
+            .map_err(|rejection| lines.at(rejection))?;
+        let steps = system.steps(observations)?;
+        let mut check = FilterCheck::begin(system.timing, &system.initial, &self.header.start)
+            .map_err(|rejection| lines.at(rejection))?;
+        for step in steps {
+            let step = step?;
             let document: StepDocument = lines.document("step")?;
-            proved(&check.step(&document).map_err(|rejection| lines.at(rejection))?);
+            proved(&check.step(&step, &document).map_err(|rejection| lines.at(rejection))?);
         }
+        check.end(observations.len()).map_err(|rejection| lines.at(rejection))?;
         let end: FilterEnd = lines.document("last line")?;
         if end.steps != check.done() {
             let message = format!("the last line says {} steps, there are {}", end.steps, check.done());

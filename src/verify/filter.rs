@@ -6,7 +6,8 @@ use super::rejection::{Condition, Rejection, wrong};
 use super::step::{Innovation, check_order, check_size, proved};
 use super::table::Table;
 use super::unified::{Target, Unified};
-use crate::model::{Before, Path, Step, Timing};
+use crate::matrix::{Matrix, Shape};
+use crate::model::{Before, Initial, Step, Timing, Transition};
 use crate::scalar::Rational;
 
 /// What is proved of a step.
@@ -22,26 +23,32 @@ pub struct ProvedStep {
     pub bits: Option<u64>,
 }
 
-/// Checks the steps of a certificate against a path, one after the other; it remembers one belief.
+/// Checks the steps of a certificate against those of a path, one after the other; it remembers one belief.
+///
+/// The steps and the initial law are those of [`System::steps`](crate::model::System::steps) or of a [`Path`](crate::model::Path), in
+/// their order and none left out: that their covariances are such was checked there.
 #[derive(Debug)]
-pub struct FilterCheck<'a> {
-    path: &'a Path<Rational>,
+pub struct FilterCheck {
+    timing: Timing,
+    before: Before,
     belief: Belief,
     done: usize,
 }
 
-impl<'a> FilterCheck<'a> {
+impl FilterCheck {
     /// The belief with which a path begins, checked.
     ///
     /// # Errors
     ///
     /// [`Rejection`]; also for a diffuse start, of which no certificate speaks.
-    pub fn begin(path: &'a Path<Rational>, start: &BeliefDocument) -> Result<Self, Rejection> {
-        let (initial, n) = (path.initial(), path.states());
+    pub fn begin(timing: Timing, initial: &Initial<Rational>, start: &BeliefDocument) -> Result<Self, Rejection> {
+        let n = initial.mean.rows();
+        if !has_shape(&initial.mean, n, 1) || !has_shape(&initial.covariance, n, n) {
+            return Err(wrong(Condition::Shape, "the moments with which the case begins do not fit each other"));
+        }
         if initial.diffuse.iter().any(|part| !part.is_zero()) {
             return Err(wrong(Condition::Case, "the start is diffuse: no certificate speaks of such a case"));
         }
-        path.steps().iter().try_for_each(check_order)?;
         if start.gain.is_some() || start.balance.is_some() {
             return Err(wrong(Condition::Members, "`start` has neither `gain` nor `balance`"));
         }
@@ -54,7 +61,7 @@ impl<'a> FilterCheck<'a> {
             0,
         )?;
         belief.encloses(&mean, &covariance)?;
-        Ok(Self { path, belief, done: 0 })
+        Ok(Self { timing, before: initial.before, belief, done: 0 })
     }
 
     /// How many steps were checked.
@@ -62,44 +69,44 @@ impl<'a> FilterCheck<'a> {
         self.done
     }
 
-    /// Checks the next step.
+    /// Checks what is said of the next step.
     ///
     /// # Errors
     ///
     /// [`Rejection`].
-    pub fn step(&mut self, document: &StepDocument) -> Result<ProvedStep, Rejection> {
+    pub fn step(&mut self, step: &Step<Rational>, document: &StepDocument) -> Result<ProvedStep, Rejection> {
         let at = self.done;
-        let proved = self.checked(document).map_err(|rejection| Rejection { step: Some(at), ..rejection })?;
+        let proved = self.checked(step, document).map_err(|rejection| Rejection { step: Some(at), ..rejection })?;
         self.belief = proved.ahead.as_ref().unwrap_or(&proved.filtered).clone();
         self.done += 1;
         Ok(proved)
     }
 
-    /// That no step is missing.
+    /// That all steps were checked, of so many that the path has.
     ///
     /// # Errors
     ///
     /// [`Rejection`].
-    pub fn end(&self) -> Result<(), Rejection> {
-        match self.path.steps().len() {
-            all if all == self.done => Ok(()),
-            all => Err(wrong(Condition::Order, format!("{} of {all} steps are certified", self.done))),
+    pub fn end(&self, steps: usize) -> Result<(), Rejection> {
+        if self.done == steps {
+            return Ok(());
         }
+        Err(wrong(Condition::Order, format!("{} of {steps} steps are certified", self.done)))
     }
 
-    fn checked(&self, document: &StepDocument) -> Result<ProvedStep, Rejection> {
-        let path = self.path;
-        let step = path.steps().get(self.done).ok_or_else(|| wrong(Condition::Order, "the case has no such step"))?;
+    fn checked(&self, step: &Step<Rational>, document: &StepDocument) -> Result<ProvedStep, Rejection> {
+        let n = self.belief.states();
+        if !fits(step, n) {
+            return Err(wrong(Condition::Shape, format!("the step of the case is none of n = {n} states")));
+        }
+        check_order(n, step.reading.dimension())?;
         if document.step != self.done {
             return Err(wrong(Condition::Order, format!("it is called {}", document.step)));
         }
-        let is_first = self.done == 0 && path.initial().before == Before::Observation;
-        let law = Unified::of(
-            step,
-            path.timing(),
-            path.timing() == Timing::Arriving && !is_first && step.transition.is_some(),
-        )?;
-        check_size(law.magnitude(), path.states(), law.observation.rows)?;
+        let is_first = self.done == 0 && self.before == Before::Observation;
+        let arrives = self.timing == Timing::Arriving && !is_first && step.transition.is_some();
+        let law = Unified::of(step, self.timing, arrives)?;
+        check_size(law.magnitude(), n, law.observation.rows)?;
         let law = match &document.kept {
             None => law,
             Some(kept) => law.select(&places(step, kept)?)?,
@@ -130,6 +137,22 @@ impl<'a> FilterCheck<'a> {
             [predicted.bits(belief), filtered.bits(&predicted), ahead.as_ref().and_then(|it| it.bits(&filtered))];
         Ok(ProvedStep { bits: bits.into_iter().flatten().min(), predicted, filtered, ahead })
     }
+}
+
+fn has_shape(matrix: &Matrix<Rational>, rows: usize, columns: usize) -> bool {
+    matrix.shape() == Shape { rows, columns }
+}
+
+/// Whether the matrices of a step have the shapes of n states, and of the sensors of its reading.
+fn fits(step: &Step<Rational>, n: usize) -> bool {
+    let Step { transition, observation, observation_input, observation_noise, reading } = step;
+    let m = reading.dimension();
+    has_shape(observation, m, n)
+        && has_shape(observation_input, m, 1)
+        && has_shape(observation_noise, m, m)
+        && transition.iter().all(|Transition { matrix, input, noise, cross_noise }| {
+            has_shape(matrix, n, n) && has_shape(input, n, 1) && has_shape(noise, n, n) && has_shape(cross_noise, n, m)
+        })
 }
 
 fn named(name: &str, Rejection { line, step, condition, message }: Rejection) -> Rejection {

@@ -7,6 +7,8 @@ use sha2::{Digest, Sha256};
 use super::digest::digits;
 use super::document::MAXIMAL_LINE_BYTES;
 use super::rejection::{Condition, Rejection, wrong};
+use crate::model::ModelError;
+use crate::scalar::Rational;
 
 /// Why reading a certificate ended.
 #[derive(Debug, thiserror::Error)]
@@ -14,9 +16,18 @@ pub enum VerifyError {
     /// The certificate is not accepted.
     #[error(transparent)]
     Rejected(#[from] Rejection),
+    /// The case for which it speaks is none: wherever that is found, nothing is proved.
+    #[error("the case: {0}")]
+    Case(Box<ModelError<Rational>>),
     /// It could not be read.
     #[error("cannot read: {0}")]
     Input(#[from] io::Error),
+}
+
+impl From<ModelError<Rational>> for VerifyError {
+    fn from(error: ModelError<Rational>) -> Self {
+        Self::Case(Box::new(error))
+    }
 }
 
 #[derive(Debug)]

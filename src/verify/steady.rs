@@ -75,7 +75,7 @@ pub fn check_steady(
     timing: Timing,
     evidence: &SteadyEvidence,
 ) -> Result<ProvedSteady, Rejection> {
-    check_order(step)?;
+    check_order(step.observation.columns(), step.observation.rows())?;
     let unified = Unified::of(step, timing, timing == Timing::Arriving)?;
     let all_read = step.reading.present().len() == step.reading.dimension();
     let Some(target) = target_of(&unified, timing).filter(|_| all_read && step.transition.is_some()) else {

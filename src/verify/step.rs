@@ -18,8 +18,6 @@ use super::document::{BeliefDocument, DyadicMatrix, MAXIMAL_ROWS};
 use super::rejection::{Condition, Rejection, indefinite, wrong};
 use super::table::Table;
 use super::unified::{Target, Unified};
-use crate::model::Step;
-use crate::scalar::Rational;
 
 /// Bits of κ, w and t.
 const NUMBER_BITS: u64 = 128;
@@ -57,8 +55,7 @@ pub(super) fn check_size(magnitude: u64, states: usize, sensors: usize) -> Resul
 }
 
 /// That there are no more states and sensors than matrices of a certificate may have rows.
-pub(super) fn check_order(step: &Step<Rational>) -> Result<(), Rejection> {
-    let (sensors, states) = (step.observation.rows(), step.observation.columns());
+pub(super) fn check_order(states: usize, sensors: usize) -> Result<(), Rejection> {
     if states.max(sensors) <= MAXIMAL_ROWS {
         return Ok(());
     }

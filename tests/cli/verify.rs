@@ -259,18 +259,100 @@ fn names_are_printed_on_one_line() {
     assert!(first.contains("b: verified") && !out.contains('\u{1b}'), "{out}");
 }
 
-/// A short text that would take gigabytes is refused before it does.
+/// The case inside is compared with the given one to its last step, however both are written.
+#[test]
+fn a_case_that_differs_somewhere_is_told() {
+    let directory = Directory::new();
+    let case = walk("walk", &["1", "2", "3"]);
+    let inside = directory.file("inside.json", &case);
+    let file = certified(&directory, &inside, "17");
+    let given = |text: String| {
+        let given = directory.file("given.json", text);
+        run(&["verify", &file, "--case", &given])
+    };
+    let observed =
+        |variances: &str| case.replace("\"observation\":[[\"1\"]]}", &format!("\"observation\":[{variances}]}}"));
+    let same = [
+        case.replace("\"3\"", "\"3.0\""),
+        observed(r#"[["1"]],[["1"]],[["1"]]"#),
+        case.replace("\"walk\"", "\"other\""),
+    ];
+    for text in same {
+        assert!(text != case && given(text.clone()).quietly(0).starts_with("walk: verified"), "{text}");
+    }
+    let moved = case.replace("departing", "arriving");
+    let others = [
+        case.replace("[\"3\"]", "[\"4\"]"),
+        case.replace("[\"3\"]", "null"),
+        case.replace("[\"3\"]", "[\"3\"],[\"3\"]"),
+        case.replace("[\"3\"]", "[\"3\"],null"),
+        case.replace(",[\"3\"]", ""),
+        observed(r#"[["1"]],[["1"]],[["2"]]"#),
+        case.replace("\"mean\":[\"0\"]", "\"mean\":[\"1\"]"),
+        case.replace("\"covariance\":[[\"1\"]]", "\"covariance\":[[\"2\"]]"),
+        case.replace("\"covariance\":[[\"1\"]]", "\"covariance\":[[\"1\"]],\"allow_indefinite\":true"),
+        case.replace("\"covariance\":[[\"1\"]]", "\"covariance\":[[\"1\"]],\"diffuse\":[[\"1\"]]"),
+        moved.replace("\"before\":\"observation\"", "\"before\":\"transition\""),
+        moved,
+        format!("{}\n{}", case.replace("\"walk\"", "\"one\""), case.replace("\"walk\"", "\"two\"")),
+    ];
+    for text in others {
+        let found = given(text.clone()).quietly(1);
+        assert_eq!(found, "rejected: case: the case inside is not the one that is given\n", "{text}");
+    }
+    given(observed(r#"[["1"]],[["1"]],[["-1"]]"#)).trouble();
+}
+
+/// A variance that no inequality looks at, since its reading is missing: it is found when its step comes, and nothing is verified.
+#[test]
+fn a_case_that_is_none_at_its_last_step_is_rejected() {
+    let directory = Directory::new();
+    let case = walk("walk", &["1", "2"]).replace("[\"2\"]", "null");
+    let variances = |last: &str| {
+        case.replace("\"observation\":[[\"1\"]]}", &format!("\"observation\":[[[\"1\"]],[[\"{last}\"]]]}}"))
+    };
+    let file = certified(&directory, &directory.file("case.json", variances("1")), "17");
+    let text = fs::read_to_string(&file).expect("written");
+    let from = "\"observation\":[[[\"1\"]],[[\"1\"]]]";
+    assert!(text.contains(from), "{text}");
+    let lines: Vec<_> =
+        text.lines().map(|line| line.replace(from, &from.replace("[[\"1\"]]]", "[[\"-1\"]]]"))).collect();
+    let body = lines[..lines.len() - 1].join("\n") + "\n";
+    let end = json!({"steps": 2, "sha256": digest(body.as_bytes())});
+    for option in [&["--last"][..], &["--format", "json"]] {
+        let found = feed(&[&["verify", "-"], option].concat(), &format!("{body}{end}\n")).quietly(1);
+        let words = "case inside: noise.observation: observation noise at step 1 is not positive semidefinite";
+        assert!(found.contains(words) && found.contains("case") && found.lines().count() == 1, "{found}");
+        assert!(found.starts_with("rejected: case: the case") || found.contains("\"verified\":false"), "{found}");
+    }
+}
+
+/// A short text that would take gigabytes, or hours, is refused before it does.
 #[test]
 fn a_case_that_asks_for_too_much_is_refused() {
-    let n = 60;
-    let unit: Vec<Vec<&str>> = (0..n).map(|i| (0..n).map(|j| if i == j { "1" } else { "0" }).collect()).collect();
-    let triangle = serde_json::json!({"exponent": 0, "rows": (0..n).map(|i| vec!["0"; i + 1]).collect::<Vec<_>>()});
-    let case = serde_json::json!({"format": "exact-kalman/case/1", "id": "long", "timing": "departing",
-        "initial": {"before": "observation", "mean": vec!["0"; n], "covariance": unit}, "transition": unit,
-        "observation": [vec!["1"; n]], "noise": {"process": unit, "observation": [["1"]]}, "observations": vec![[()]; 5000]});
-    let start = serde_json::json!({"covariance": triangle, "gap": triangle,
-        "mean": {"exponent": 0, "rows": vec![["0"]; n]}, "ellipsoid": triangle});
-    let header = serde_json::json!({"certificate": "exact-kalman filter 1", "case": case, "start": start}).to_string();
-    let ran = feed(&["verify", "-"], &format!("{header}\n"));
-    assert!(ran.code == 1 && ran.stdout.contains("size: the case inside has 5000 steps of 60 states"), "{ran:?}");
+    let verdict = |n: usize, m: usize, steps: usize| {
+        let unit = |n: usize| -> Vec<Vec<&str>> {
+            (0..n).map(|i| (0..n).map(|j| if i == j { "1" } else { "0" }).collect()).collect()
+        };
+        let case = json!({"format": "exact-kalman/case/1", "id": "long", "timing": "departing",
+            "initial": {"before": "observation", "mean": vec!["0"; n], "covariance": unit(n)}, "transition": unit(n),
+            "observation": vec![vec!["1"; n]; m], "noise": {"process": unit(n), "observation": unit(m)},
+            "observations": vec![[(); 0]; 0]});
+        let case = case
+            .to_string()
+            .replace("\"observations\":[]", &format!("\"observations\":[{}null]", "null,".repeat(steps - 1)));
+        let nothing = json!({"exponent": 0, "rows": [["0"]]});
+        let start = json!({"covariance": nothing, "gap": nothing, "mean": nothing, "ellipsoid": nothing});
+        let header = format!("{{\"certificate\":\"exact-kalman filter 1\",\"case\":{case},\"start\":{start}}}\n");
+        feed(&["verify", "-"], &header).quietly(1)
+    };
+    let readings = verdict(1, 500, 70_000);
+    assert!(readings.starts_with("rejected: size: the case inside has 70000 readings of 500 sensors"), "{readings}");
+    for (n, m) in [(513, 1), (1, 513)] {
+        let found = verdict(n, m, 1);
+        assert!(found.starts_with(&format!("rejected: line 1, size: {n} states and {m} sensors")), "{found}");
+    }
+    // Many steps of large matrices that stand there once are no trouble: the belief is what is wrong.
+    let long = verdict(60, 1, 100_000);
+    assert!(long.starts_with("rejected: line 1, shape: "), "{long}");
 }

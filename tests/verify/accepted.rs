@@ -15,15 +15,16 @@ fn certificates_of_the_filter_are_accepted() {
         let bits = [128, 53, 200, 14, 24][usize::try_from(number % 5).expect("small")];
         let (start, certificate) = certified(&model.path, bits);
         let truth = Truth::of(&model.longer);
-        let mut check = FilterCheck::begin(&model.path, &start).unwrap_or_else(|why| panic!("model {number}: {why}"));
+        let mut check = FilterCheck::begin(model.path.timing(), model.path.initial(), &start)
+            .unwrap_or_else(|why| panic!("model {number}: {why}"));
         for (k, step) in certificate.iter().enumerate() {
-            check.step(step).unwrap_or_else(|why| panic!("model {number}, {bits} bits: {why}"));
+            check.step(&model.path.steps()[k], step).unwrap_or_else(|why| panic!("model {number}, {bits} bits: {why}"));
             assert!(truth.agrees(k, step, model.path.timing()), "model {number}, step {k}");
             kept += usize::from(step.kept.is_some());
         }
         steps += certificate.len();
         departing += usize::from(model.path.timing() == Timing::Departing);
-        ended += usize::from(check.end().is_err());
+        ended += usize::from(check.end(model.path.steps().len()).is_err());
     }
     assert!(
         steps > 1500 && departing > 200 && kept > 50,
@@ -40,9 +41,9 @@ fn proved_bits_are_those_of_the_intervals() {
     for number in 0..60 {
         let model = model(number);
         let (start, certificate) = certified(&model.path, 128);
-        let mut check = FilterCheck::begin(&model.path, &start).expect("a sound start");
-        for step in &certificate {
-            let proved = check.step(step).expect("a sound step");
+        let mut check = FilterCheck::begin(model.path.timing(), model.path.initial(), &start).expect("a sound start");
+        for (own, step) in model.path.steps().iter().zip(&certificate) {
+            let proved = check.step(own, step).expect("a sound step");
             let Some(bits) = proved.bits else { continue };
             let power = ratio(2, 1).pow(2 * i32::try_from(bits).expect("small"));
             let belief = &proved.predicted;

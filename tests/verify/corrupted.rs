@@ -17,13 +17,14 @@ fn accepted(
     start: &BeliefDocument,
     steps: &[StepDocument],
 ) -> Result<(), Condition> {
-    let mut check = FilterCheck::begin(path, start).map_err(|why| why.condition)?;
+    let mut check = FilterCheck::begin(path.timing(), path.initial(), start).map_err(|why| why.condition)?;
     for step in steps {
         let at = check.done();
-        check.step(step).map_err(|why| why.condition)?;
+        let own = path.steps().get(at).ok_or(Condition::Order)?;
+        check.step(own, step).map_err(|why| why.condition)?;
         assert!(truth.agrees(at, step, path.timing()), "a false step is accepted: {step:?}");
     }
-    check.end().map_err(|why| why.condition)
+    check.end(path.steps().len()).map_err(|why| why.condition)
 }
 
 /// The matrices of a step, by name.

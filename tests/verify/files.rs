@@ -25,13 +25,14 @@ fn certificate() -> String {
 fn verified(text: &str) -> Result<usize, (Option<usize>, Condition)> {
     let rejected = |error| match error {
         VerifyError::Rejected(rejection) => (rejection.line, rejection.condition),
+        VerifyError::Case(_) => (None, Condition::Case),
         VerifyError::Input(error) => panic!("{error}"),
     };
     let certificate = FilterCertificate::open(text.as_bytes()).map_err(rejected)?;
     let case = |_| (Some(1), Condition::Case);
-    let path = Case::parse(certificate.case()).map_err(case)?.problem().map_err(case)?.realised().map_err(case)?;
+    let problem = Case::parse(certificate.case()).map_err(case)?.problem().map_err(case)?;
     let mut steps = 0;
-    certificate.verify(&path, |_| steps += 1).map_err(rejected)?;
+    certificate.verify(&problem.system, &problem.observations, |_| steps += 1).map_err(rejected)?;
     Ok(steps)
 }
 

@@ -138,8 +138,8 @@ fn a_sensor_that_is_left_out_reads_what_follows() {
     assert_eq!(steps[0].kept.as_deref(), Some(&[0][..]));
     let found = |second| {
         let path = path(second);
-        let mut check = FilterCheck::begin(&path, &start).expect("a start");
-        check.step(&steps[0]).map(|_| ()).map_err(|why| why.condition)
+        let mut check = FilterCheck::begin(path.timing(), path.initial(), &start).expect("a start");
+        check.step(&path.steps()[0], &steps[0]).map(|_| ()).map_err(|why| why.condition)
     };
     assert_eq!((found(3), found(4)), (Ok(()), Err(Condition::Kept)));
 }

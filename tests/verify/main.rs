@@ -8,5 +8,6 @@ mod kept;
 mod models;
 mod steady;
 mod steady_models;
+mod streamed;
 mod tight;
 mod truth;

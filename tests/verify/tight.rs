@@ -285,8 +285,8 @@ fn checked(timing: Timing, is_ahead: bool, slip: Slip, k: i32) -> Result<(), Rej
         filtered: claim(&filtered, slip_of(false)),
         ahead: ahead.as_ref().map(|ahead| claim(ahead, slip_of(true))),
     };
-    let mut check = FilterCheck::begin(&start.path, &start_document)?;
-    check.step(&document).map(|_| ())
+    let mut check = FilterCheck::begin(start.path.timing(), start.path.initial(), &start_document)?;
+    check.step(&start.path.steps()[0], &document).map(|_| ())
 }
 
 /// EK-L7, EK-T1, EK-T2: each term of the inequalities is needed: the claim that stands on all of them is accepted, and no narrower one.
