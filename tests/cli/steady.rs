@@ -31,6 +31,18 @@ fn a_regulator_by_hand() {
     }
 }
 
+/// Noise of "variance" −2/3 is none, yet 2 = 4·2 − 16/3 − 2/3 is a solution with the closed loop 2/3: by hand. Nobody reads of weights there.
+#[test]
+fn noise_that_is_no_covariance_is_named() {
+    let model = json!({
+        "format": "exact-kalman/steady/1", "id": "negative", "about": "", "timing": "departing",
+        "transition": [["2"]], "observation": [["1"]], "noise": {"process": [["-2/3"]], "observation": [["1"]]},
+    });
+    let out = feed(&["steady", "-"], &model.to_string()).quietly(0);
+    assert!(out.contains("predicted covariance     2\n"), "{out}");
+    assert!(out.contains("The noise is no covariance: its joint matrix is indefinite; that the predicted"), "{out}");
+}
+
 #[test]
 fn a_level_that_nothing_moves_has_no_steady_state() {
     let out = run(&["steady", "examples/steady/level.json"]).quietly(1);

@@ -22,7 +22,11 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
             for (name, matrix) in named(page, state) {
                 writeln!(out, "  {name:24} {}", laid_out(&matrix.map(|entry| shown(entry, page.digits).text())))?;
             }
-            let (loop_, symbol) = if page.kind() == "control" { ("A − BF", "X") } else { ("A − KH", "S") };
+            let (loop_, solution, weights) = if page.kind() == "control" {
+                ("A − BF", "X", "The weights are indefinite")
+            } else {
+                ("A − KH", "the predicted covariance", "The noise is no covariance: its joint matrix is indefinite")
+            };
             writeln!(out, "The closed loop {loop_} has spectral radius below {}", rate(state, page.digits.min(17)))?;
             if state.kept.len() < m {
                 let verb = if state.kept.len() == 1 { "is" } else { "are" };
@@ -36,10 +40,7 @@ pub(super) fn write(out: &mut impl Write, page: &Page<'_>, finding: &Finding) ->
                 writeln!(out, "Not told from zero: the {name} variance of {}", named_list("state", states))?;
             }
             if !page.is_covariance() {
-                writeln!(
-                    out,
-                    "The weights are indefinite: that {symbol} ≥ 0, or is the largest solution, is not claimed"
-                )?;
+                writeln!(out, "{weights}; that {solution} ≥ 0, or the largest solution, is not claimed")?;
             }
             Ok(())
         }
