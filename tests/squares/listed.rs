@@ -24,6 +24,7 @@ const REASONS: &[(&str, &str)] = &[
         "evaluates closures, which have one scalar; its paths are what the squares of filters begin with",
     ),
     ("model::System::realised_ahead", "as System::realised"),
+    ("model::System::steps", "the steps of System::realised"),
 ];
 
 fn sources(directory: &Path) -> Vec<PathBuf> {
