@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use super::exit::{Exit, Trouble};
 use super::interrupt;
 use super::numbers::Numbers;
+use super::tier::Tiering;
 use crate::certify::{CertifiedFilter, NotEnclosed};
 use crate::model;
 use crate::protocol::Case;
@@ -23,9 +24,6 @@ pub(super) struct Certificate {
     pub(super) file: Option<PathBuf>,
 }
 
-/// The most bits of enclosures, unless more are asked for.
-const MOST_BITS: u64 = 1 << 12;
-
 /// Why there is no certificate.
 enum Refusal {
     Interrupted,
@@ -34,14 +32,18 @@ enum Refusal {
 }
 
 /// Writes the certificate of the only case.
-pub(super) fn write(file: &Path, cases: &[Case], numbers: Numbers) -> Result<Exit, Trouble> {
+pub(super) fn write(file: &Path, cases: &[Case], numbers: Numbers, tiering: Tiering) -> Result<Exit, Trouble> {
+    if tiering.is_exact() {
+        let message = "a certificate tells of enclosures: leave --tier exact out".into();
+        return Err(Trouble::Other { place: "--certificate".into(), message });
+    }
     let [case] = cases else {
         let message = format!("a certificate speaks of one case, and {} are given", cases.len());
         return Err(Trouble::Other { place: "--certificate".into(), message });
     };
     let trouble = |source| Trouble::Case { place: case.id.clone(), source };
     let path = case.problem().map_err(trouble)?.realised().map_err(trouble)?;
-    let bits = match enough(&path, numbers.digits) {
+    let bits = match enough(&path, numbers.digits, tiering.most_bits(numbers.digits)) {
         Ok(bits) => bits,
         Err(Refusal::Interrupted) => {
             eprintln!("interrupted: no certificate is written");
@@ -71,16 +73,15 @@ pub(super) fn write(file: &Path, cases: &[Case], numbers: Numbers) -> Result<Exi
     Ok(Exit::Clean)
 }
 
-/// The bits with which all steps are decided, to so many digits.
-fn enough(path: &model::Path<Rational>, digits: u32) -> Result<u64, Refusal> {
+/// The bits with which all steps are decided, to so many digits: at most so many.
+fn enough(path: &model::Path<Rational>, digits: u32, most: u64) -> Result<u64, Refusal> {
     // log2(10) < 3.322, and one bit more for what rounding does to the last digit.
     let wanted = u64::from(digits) * 3322 / 1000 + 2;
-    let most = MOST_BITS.max(4 * wanted);
     if path.initial().diffuse.iter().any(|part| !part.is_zero()) {
         let why = "the start is diffuse; a certificate speaks of a start with a covariance. Leave --certificate out";
         return Err(Refusal::Undecided(why.into()));
     }
-    let mut bits = wanted + 32;
+    let mut bits = most.min(wanted + 32);
     loop {
         match first_in_doubt(path, bits, wanted) {
             None => return Ok(bits),
@@ -100,7 +101,7 @@ fn first_in_doubt(path: &model::Path<Rational>, bits: u64, wanted: u64) -> Optio
             Ok(step) => {
                 if let Some(known) = step.accuracy().filter(|&known| known < wanted) {
                     return Some(Refusal::Undecided(format!(
-                        "step {k} is known to {known} bits of {wanted} with {bits} bits; ask for fewer --digits"
+                        "step {k} is known to {known} bits of {wanted} with {bits} bits; give a higher --most-bits, or fewer --digits"
                     )));
                 }
             }

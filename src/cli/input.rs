@@ -26,6 +26,17 @@ pub(super) fn text(path: &Path) -> Result<String, Trouble> {
     Ok(text)
 }
 
+/// That what is written does not replace the file that is read.
+pub(super) fn keep(read: &Path, written: &Path) -> Result<(), Trouble> {
+    match (fs::canonicalize(read), fs::canonicalize(written)) {
+        (Ok(one), Ok(other)) if one == other => {
+            let message = "is the file that is read, and would be replaced; give another".into();
+            Err(Trouble::Other { place: written.display().to_string(), message })
+        }
+        _ => Ok(()),
+    }
+}
+
 /// The cases of a file (one case, or one on each line), of standard input for `-`, or of all files named `*.json` or
 /// `*.jsonl` below a directory, in the order of their names.
 pub(super) fn cases(path: &Path) -> Result<Vec<Case>, Trouble> {

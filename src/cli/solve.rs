@@ -85,7 +85,8 @@ impl Solve {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
         interrupt::listen(None);
         if let Some(file) = &self.certificate.file {
-            return certificate::write(file, &input::cases(&self.case)?, self.numbers);
+            input::keep(&self.case, file)?;
+            return certificate::write(file, &input::cases(&self.case)?, self.numbers, self.tiering);
         }
         // Every step is flushed, so that it is seen when it is known.
         let mut out = BufWriter::new(std::io::stdout().lock());

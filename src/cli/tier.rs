@@ -17,8 +17,8 @@ pub(super) enum Tier {
 /// The options that choose a tier.
 #[derive(clap::Args, Clone, Copy, Debug)]
 pub(super) struct Tiering {
-    /// How numbers are computed; what is printed is the same to the last digit [default: auto; with --exact, --trace and
-    /// --ahead, exact].
+    /// How numbers are computed; they are the same to the last digit [default: auto; with --exact, --trace and --ahead,
+    /// exact].
     #[arg(long, value_enum, conflicts_with = "exact")]
     tier: Option<Tier>,
     /// The most bits of enclosures: they begin with 4 for each digit and 128 more, and are doubled until all digits are
@@ -36,6 +36,11 @@ impl Tiering {
             Some(tier) => tier,
             None => Tier::Auto,
         }
+    }
+
+    /// Whether exact numbers are asked for.
+    pub(super) fn is_exact(self) -> bool {
+        self.tier == Some(Tier::Exact)
     }
 
     /// The most bits, for so many digits.

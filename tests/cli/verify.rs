@@ -67,6 +67,43 @@ fn a_changed_certificate_is_rejected_with_its_place() {
     run(&["verify", &file, "--case", "no such file"]).trouble();
 }
 
+/// `--most-bits` is the bound of a certificate's bits, too: below what the digits need nothing is written, and above the default it is used.
+#[test]
+fn the_most_bits_bound_certificates() {
+    let directory = Directory::new();
+    let to = directory.path().join("some").to_str().expect("UTF-8").to_owned();
+    let ran = run(&["solve", NILE, "--certificate", &to, "--digits", "30", "--most-bits", "64"]);
+    assert_eq!(ran.code, 3, "{}", ran.stderr);
+    assert!(ran.stderr.contains("with 64 bits; give a higher --most-bits, or fewer --digits"), "{}", ran.stderr);
+    assert!(!fs::exists(&to).expect("a directory"), "nothing is written");
+    // Numbers of 10^±4000 lie 8000 digits apart.
+    let sharp = walk("sharp", &["1e4000", "1e4000"]).replace("\"timing\"", "\"numbers\":\"exact\",\"timing\"");
+    let sharp = sharp.replace("\"transition\":[[\"1\"]]", "\"transition\":[[\"1e4000\"]]");
+    let sharp = sharp.replace("\"process\":[[\"1\"]]", "\"process\":[[\"1e-4000\"]]");
+    let case = directory.file("case.json", &sharp);
+    let words = ["solve", &case, "--certificate", &to, "--digits", "5"];
+    assert_eq!(run(&words).code, 3);
+    let ran = run(&[&words[..], &["--most-bits", "200000"]].concat());
+    assert_eq!(ran.code, 0, "{}", ran.stderr);
+    run(&["verify", &to]).quietly(0);
+    assert!(run(&["solve", NILE, "--certificate", &to, "--tier", "exact"]).trouble().contains("enclosures"));
+}
+
+/// A certificate written over the file it speaks of would lose it; one of a steady state has no place among what is printed.
+#[test]
+fn a_certificate_replaces_no_model() {
+    let directory = Directory::new();
+    for (verb, text) in [("solve", NILE), ("steady", "examples/steady/radar.json")] {
+        let text = fs::read_to_string(text).expect("an example");
+        let file = directory.file("model.json", &text);
+        assert!(run(&[verb, &file, "--certificate", &file]).trouble().contains("would be replaced"));
+        assert_eq!(fs::read_to_string(&file).expect("still there"), text);
+    }
+    assert!(
+        run(&["steady", "examples/steady/radar.json", "--certificate", "-"]).trouble().contains("a file of its own")
+    );
+}
+
 #[test]
 fn cases_that_are_not_decided_get_no_certificate() {
     let directory = Directory::new();

@@ -5,7 +5,7 @@ mod enclosed;
 mod json;
 mod text;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::Format;
 use super::exit::{Exit, Trouble};
@@ -65,6 +65,13 @@ enum Finding {
 impl Steady {
     pub(super) fn run(self) -> Result<Exit, Trouble> {
         let place = self.file.display().to_string();
+        if let Some(file) = &self.certificate {
+            if file == Path::new("-") {
+                let message = "what is found is printed there; give the certificate a file of its own".into();
+                return Err(Trouble::Other { place: "--certificate -".into(), message });
+            }
+            input::keep(&self.file, file)?;
+        }
         let text = input::text(&self.file)?;
         let model = SteadyModel::parse(text.strip_prefix('\u{feff}').unwrap_or(&text))
             .map_err(|source| Trouble::Question { place, source })?;
